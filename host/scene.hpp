@@ -1,0 +1,160 @@
+// The scene as plain data: what bind makes of the text and everything after it reads.
+// Shapes are in the units of the text, with the list of their transforms; the last transform in each list
+// is the one that turns POV-Ray's left-handed scene units into right-handed millimetres. Everything
+// else here (cameras, axes, spectra) is in right-handed world millimetres, nanometres and radians.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sdl/tree.hpp"
+
+namespace nicol {
+
+using sdl::Location;
+
+struct Vec3 {
+  double x = 0, y = 0, z = 0;
+};
+
+// Row vectors, as POV-Ray: p' = p M, rows 0..2 linear, row 3 translation. The numbers are taken as
+// exact; a list of them is composed in exact arithmetic, so that what touches keeps touching.
+struct Affine {
+  std::array<std::array<double, 3>, 4> m{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
+};
+
+// ---- spectra: sampled at Scene::lambda_nm ----
+using Samples = std::vector<double>;
+
+// ---- media ----
+struct Medium {
+  std::string name;      // the identifier or "interior", for messages
+  Location where;
+  Samples n;             // refractive index
+  Samples k;             // extinction coefficient (0: transparent); absorb_per_mm = 4 pi k / lambda
+  Samples rotation_deg_per_mm;  // of the plane of polarization; > 0 dextro: clockwise facing the source
+  bool circular_waves = false;  // trace the two circular eigenwaves n +- kappa instead of one ray
+  std::string source;    // of the numbers
+};
+
+// ---- polarizers ----
+struct Polarizer {
+  enum class Kind {
+    ideal,             // passes the projection of its transmission axis on the plane across the ray
+    ideal_absorbing,   // absorbs the projection of its absorption axis (Korger 2013), passes the rest
+    calcite            // the founding paper's plate: ordinary ray only, Fresnel at both faces
+  };
+  Kind kind = Kind::ideal;
+  Vec3 transmission_axis;  // unit, in the polarizer's plane; the optic axis of calcite lies across it
+  Vec3 normal;             // unit, of the polarizer's plane
+  Samples n_o, n_e;        // calcite only
+  Location where;
+};
+
+// ---- light ----
+struct Emission {
+  Samples radiance;               // per nm; a spectrum of scale 1 gives Y = 1 in the picture
+  std::optional<int> polarizer;   // index into Scene::polarizers: lies on the surface without a gap
+  bool one_sided = false;         // shines only to the side of the face's outward normal
+  Location where;
+};
+
+// ---- shapes ----
+struct HalfSpace {  // normal . p <= offset; the normal need not have unit length
+  Vec3 normal;
+  double offset = 0;
+};
+struct ConvexShape {  // box, crystal, intersection of planes
+  std::vector<HalfSpace> faces;
+};
+struct PrismShape {  // contours in (x, z), even-odd, swept along y
+  std::vector<std::vector<std::array<double, 2>>> contours;
+  double y_min = 0, y_max = 0;
+};
+struct PolygonShape {  // coplanar points, contours closed implicitly, even-odd
+  std::vector<std::vector<Vec3>> contours;
+};
+struct DiscShape {
+  Vec3 centre, normal;
+  double radius = 1, hole_radius = 0;
+};
+using Shape = std::variant<ConvexShape, PrismShape, PolygonShape, DiscShape>;
+
+// A solid has a medium; a sheet (polygon, disc) shines or polarizes. A face of a solid may shine too.
+struct FaceEmission {
+  int face = 0;       // index into ConvexShape::faces
+  int emission = 0;   // index into Scene::emissions
+};
+struct Object {
+  std::string kind;   // "box", "prism", ...
+  Location where;
+  Shape shape;
+  std::vector<Affine> transforms;  // in order, the conversion to right-handed mm last
+  std::optional<int> medium;       // solids
+  std::optional<int> emission;     // sheets that shine
+  std::optional<int> polarizer;    // sheets that polarize
+  std::vector<FaceEmission> face_emissions;
+  bool optical_contact = false;    // touches its neighbours without a gap
+};
+
+// ---- camera ----
+// The picture's x (right) and y (up) at the image plane; orthographic rays all run along direction.
+struct Camera {
+  bool orthographic = false;
+  Vec3 location;      // mm
+  Vec3 direction;     // perspective: from location to the centre of the picture; orthographic: unit
+  Vec3 right, up;     // full width and height of the picture, at `direction` (perspective) or in mm
+  std::optional<int> polarizer;  // the analyzer
+  Location where;
+};
+
+// ---- numbers the scene must give ----
+struct Expectation {
+  enum class Quantity {
+    relative_radiance,  // S0 at lambda_nm over the radiance of the scene's first emission
+    stokes,             // S0..S3 at lambda_nm over the same
+    xyz,                // CIE 1931 of the pixel
+    rgb,                // linear sRGB of the pixel
+    chromaticity,       // CIE x, y of the pixel
+    rotation_deg,       // rotation at lambda_nm over the refracted chord of the first solid hit
+    malus_xyz           // XYZ of the first emission x cos^2(rotation(lambda) length_mm) of a medium
+  };
+  Quantity quantity{};
+  std::array<double, 2> at{0.5, 0.5};  // place in the picture: 0..1 from the left, from the top
+  double lambda_nm = 0;
+  double length_mm = 0;
+  std::vector<double> value;
+  double tolerance = 0;
+  bool relative = false;    // tolerance relative to |value|
+  std::string source;
+  Location where;
+};
+
+struct Settings {
+  int max_trace_level = 5;       // POV-Ray's default
+  double adc_bailout = 1.0 / 255;
+  double mm_per_unit = 10;
+  double exposure = 1;           // factor on the colours of PNG and of EXR's R, G, B
+  int samples = 1;               // per pixel
+  bool polarization = true;      // false: scalar intensities (`polarization off`)
+};
+
+struct Scene {
+  std::string path;
+  std::vector<double> lambda_nm;     // ascending
+  std::vector<double> weight_nm;     // width that each wavelength stands for in integrals
+  Camera camera;
+  std::vector<Medium> media;         // media[0] is the surroundings (vacuum unless said)
+  std::vector<Polarizer> polarizers;
+  std::vector<Emission> emissions;
+  Samples sky;                       // radiance of the uniform surroundings
+  Location sky_where;
+  std::vector<Object> objects;
+  std::vector<Expectation> expectations;
+  Settings settings;
+};
+
+}  // namespace nicol
