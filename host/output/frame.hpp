@@ -1,0 +1,50 @@
+// The finished picture and the guests that take it: EXR, PNG, later the preview.
+#pragma once
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nicol {
+
+// Stokes radiance per nm seen by the receiver: x to the right of the picture, y up; S1 > 0 horizontal,
+// S2 > 0 at +45 deg (counter-clockwise), S3 > 0 right circular (clockwise facing the source).
+struct Frame {
+  int width = 0, height = 0;
+  std::vector<double> lambda_nm;
+  std::vector<double> weight_nm;
+  std::vector<float> stokes;    // [component 0..3][wavelength][row from the top][column]
+  std::vector<float> cut_off;   // [row][column]: weight of the paths cut off, relative to a full path
+  double exposure = 1;          // factor on R, G, B
+  std::vector<std::pair<std::string, std::string>> how;  // scene, settings, device, error budget: for the header
+  int rows_done = 0;            // an interrupted picture has its first rows only in no special order: see row_done
+  std::vector<unsigned char> row_done;  // per row; rows not done are zero
+
+  std::size_t plane() const { return static_cast<std::size_t>(width) * height; }
+  float* component(int s, std::size_t lambda) { return stokes.data() + (s * lambda_nm.size() + lambda) * plane(); }
+  const float* component(int s, std::size_t lambda) const {
+    return stokes.data() + (s * lambda_nm.size() + lambda) * plane();
+  }
+};
+
+// What the user must hear: the message is complete ("cannot write out.exr: No space left on device").
+struct OutputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Takes a frame. Files appear whole or not at all: written under a temporary name beside the target, then renamed.
+class FrameSink {
+ public:
+  virtual ~FrameSink() = default;
+  virtual void write(const Frame& frame) = 0;   // throws OutputError
+};
+
+// By the suffix: .exr or .png. Throws OutputError for another suffix, a missing or read-only folder, a
+// target that is a folder: before anything is rendered.
+std::unique_ptr<FrameSink> make_sink(const std::string& path);
+
+// Linear sRGB of the frame times its exposure: 3 floats a pixel, rows from the top.
+std::vector<float> linear_rgb(const Frame& frame);
+
+}  // namespace nicol
