@@ -1,0 +1,71 @@
+// Runs the trace kernel over a picture, tile by tile.
+#pragma once
+#include <atomic>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/opencl/device.hpp"
+#include "host/output/frame.hpp"
+#include "host/pack.hpp"
+
+namespace nicol {
+
+struct KernelOptions {
+  bool real_double = false;
+  int lanes = 0;            // 0: the device's native width on a CPU, 1 on a GPU
+  bool generic = false;     // one build for every scene instead of one specialised to the features
+  bool binary_cache = true;
+};
+
+// How a kernel came to be.
+struct BuildReport {
+  std::string options;
+  double seconds = 0;       // of building or loading, first launch included
+  bool cached = false;      // the binary came from the disk cache
+};
+
+struct Progress {
+  double fraction = 0;
+  double seconds = 0, seconds_left = 0;
+  double segments_per_second = 0;   // lane-segments
+};
+
+struct RenderOptions {
+  KernelOptions kernel;
+  int samples = 1;                                // per pixel
+  std::vector<std::array<double, 2>> positions;   // in the pixel, 0..1; empty: low-discrepancy, centre first
+  double tile_seconds = 0.03;
+  std::function<void(const Progress&)> progress;
+  const std::atomic<bool>* cancel = nullptr;      // set by Ctrl-C: stops after the tiles in flight
+};
+
+struct RenderReport {
+  BuildReport build;
+  double seconds = 0;             // tiles only
+  double seconds_to_first_tile = 0;
+  std::uint64_t segments = 0;     // lane-segments traced
+  std::uint64_t nan_count = 0, energy_count = 0, stack_count = 0, stokes_count = 0;
+  double cut_off_mean = 0, cut_off_worst = 0;   // weight of dropped paths relative to a full path, per pixel
+  int tiles = 0;
+  bool interrupted = false;
+  std::string device;
+  int lanes = 0;
+  std::string real;               // "float" or "double"
+};
+
+// lanes that `options` come to on this device.
+int lanes_on(const Device& device, const KernelOptions& options);
+
+// The picture of a packed scene (packed for the same number of lanes). frame: Stokes at lambda_nm.
+// Throws DeviceError.
+Frame render(Device& device, const PackedScene& scene, const std::vector<double>& lambda_nm,
+             const std::vector<double>& weight_nm, const RenderOptions& options, RenderReport& report);
+
+// Builds (or loads) the kernel that this scene needs, without rendering.
+BuildReport prepare_kernel(Device& device, std::uint32_t features, const KernelOptions& options);
+
+}  // namespace nicol

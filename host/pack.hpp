@@ -1,0 +1,31 @@
+// Scene and geometry to the flat buffers of kernels/abi.h.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "host/features.hpp"
+#include "host/scene.hpp"
+#include "host/solids/solids.hpp"
+
+namespace nicol {
+
+// What the kernels get. Scalars are double here; the render converts them to the device's real.
+// `channels` are what the kernel traces one by one: the scene's wavelengths or, where nothing on the way
+// of light depends on wavelength, one channel per shape of source spectrum (the picture is then
+// their combination: one geometry serves all wavelengths).
+struct PackedScene {
+  std::vector<std::int32_t> ints;
+  std::vector<double> reals;
+  std::vector<double> tables;      // rows of `stride` values
+  int channels = 0;
+  int stride = 0;                  // channels rounded up to a multiple of the lanes
+  int width = 0, height = 0;
+  std::uint32_t features = 0;
+  // mixing[c * wavelengths + w]: share of channel c in wavelength w; empty when channels are the wavelengths.
+  std::vector<double> mixing;
+};
+
+PackedScene pack(const Scene& scene, const Geometry& geometry, std::uint32_t features, int width, int height,
+                 int lanes);
+
+}  // namespace nicol

@@ -1,0 +1,65 @@
+// What the host packs and the kernels read: records of ints and of scalars, by these strides and slots.
+// Positions are in mm: those of a cell's faces, edges and rings relative to the cell's centre; centres and
+// the camera relative to the scene's origin, which the host chooses. Normals are unit and point outward.
+// Tables hold one row of `lambda_stride` values per quantity; rows are named by their index.
+#ifndef NICOL_ABI_H
+#define NICOL_ABI_H
+
+enum {
+  ABI_VERSION = 1,
+  // header: the first ints of the scene
+  HEADER_FEATURES = 0, HEADER_WIDTH, HEADER_HEIGHT, HEADER_LAMBDA_COUNT, HEADER_LAMBDA_STRIDE,
+  HEADER_MAX_TRACE_LEVEL, HEADER_CAMERA_CELL, HEADER_CAMERA_POLARIZER, HEADER_SKY_ROW,
+  HEADER_CELL_COUNT, HEADER_SHEET_COUNT, HEADER_MEDIUM_COUNT,
+  HEADER_CELLS_AT, HEADER_FACES_AT, HEADER_PATCHES_AT, HEADER_SHEETS_AT, HEADER_LIGHTS_AT,
+  HEADER_POLARIZERS_AT, HEADER_MEDIA_AT, HEADER_LISTS_AT,          // offsets into the ints
+  HEADER_CAMERA_REALS, HEADER_CELL_REALS, HEADER_FACE_REALS, HEADER_PATCH_REALS, HEADER_EDGE_REALS,
+  HEADER_SHEET_REALS, HEADER_POLARIZER_REALS, HEADER_SETTING_REALS, // offsets into the scalars
+  HEADER_DELTA_ROW,   // row of n2^2 - n1^2 for media (1, 2): DELTA_ROW + medium1 * MEDIUM_COUNT + medium2
+  HEADER_SIZE = 32,
+
+  // cell: ints; lists of children and sheets lie in the lists section
+  CELL_FIRST_FACE = 0, CELL_FACE_COUNT, CELL_FIRST_PATCH, CELL_PATCH_COUNT, CELL_FIRST_CHILD,
+  CELL_CHILD_COUNT, CELL_FIRST_SHEET, CELL_SHEET_COUNT, CELL_MEDIUM, CELL_PARENT, CELL_INTS,
+  // cell: scalars centre x y z, radius around the centre that holds the whole cell
+  CELL_CENTRE = 0, CELL_RADIUS = 3, CELL_REALS = 4,
+  // face: ints; scalars normal x y z, offset
+  FACE_LIGHT = 0, FACE_INTS,
+  FACE_REALS = 4,
+  // patch on a face
+  PATCH_BEHIND = 0, PATCH_FACE, PATCH_OTHER_FACE, PATCH_OTHER_CELL, PATCH_SHEET, PATCH_LIGHT,
+  PATCH_FIRST_EDGE, PATCH_EDGE_COUNT, PATCH_HAS_DISC, PATCH_INTS,
+  PATCH_DISC_CENTRE = 0, PATCH_RADIUS2 = 3, PATCH_HOLE2 = 4, PATCH_REALS = 5,
+  BEHIND_SEAM = 0, BEHIND_CELL_GAP, BEHIND_CELL_CONTACT, BEHIND_LIGHT, BEHIND_POLARIZER,
+  // edge: scalars normal x y z, offset; inside is normal . p <= offset
+  EDGE_REALS = 4,
+  // sheet
+  SHEET_LIGHT = 0, SHEET_POLARIZER, SHEET_FIRST_EDGE, SHEET_EDGE_COUNT, SHEET_HAS_DISC, SHEET_INTS,
+  SHEET_CENTRE = 0, SHEET_PLANE = 3, SHEET_DISC_CENTRE = 7, SHEET_RADIUS2 = 10, SHEET_HOLE2 = 11,
+  SHEET_REALS = 12,
+  // light
+  LIGHT_ROW = 0, LIGHT_POLARIZER, LIGHT_ONE_SIDED, LIGHT_INTS,
+  // polarizer
+  POLARIZER_KIND = 0, POLARIZER_ROW, POLARIZER_INTS,
+  POLARIZER_AXIS = 0, POLARIZER_NORMAL = 3, POLARIZER_REALS = 6,
+  POLARIZER_IDEAL = 0, POLARIZER_IDEAL_ABSORBING, POLARIZER_CALCITE,
+  // rows of a calcite polarizer from POLARIZER_ROW on
+  POLARIZER_ROW_N_O = 0, POLARIZER_ROW_N_E, POLARIZER_ROWS,
+  // medium: first row, flags
+  MEDIUM_ROW = 0, MEDIUM_ABSORBS, MEDIUM_ROTATES, MEDIUM_CIRCULAR, MEDIUM_INTS,
+  // rows of a medium from MEDIUM_ROW on. Rotation in turns per mm as hi + lo (two scalars keep the phase
+  // of 1e5 turns); extinction k; kappa = rotation (rad/m) lambda / 2 pi
+  MEDIUM_ROW_N = 0, MEDIUM_ROW_K, MEDIUM_ROW_ABSORB_PER_MM, MEDIUM_ROW_TURNS_HI, MEDIUM_ROW_TURNS_LO,
+  MEDIUM_ROW_KAPPA, MEDIUM_ROWS,
+  // camera scalars
+  CAMERA_LOCATION = 0, CAMERA_DIRECTION = 3, CAMERA_RIGHT = 6, CAMERA_UP = 9, CAMERA_REALS = 12,
+  // setting scalars
+  SETTING_ADC_BAILOUT = 0, SETTING_REALS,
+
+  // what a work-item writes: S0, S1, S2, S3, cut-off weight; LANES scalars each
+  OUT_STOKES = 0, OUT_CUT_OFF = 4, OUT_COMPONENTS = 5,
+  // counters
+  COUNT_NAN = 0, COUNT_ENERGY, COUNT_STACK, COUNT_STOKES, COUNT_SEGMENTS, COUNTERS
+};
+
+#endif
