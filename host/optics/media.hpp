@@ -1,5 +1,5 @@
 // Media by formula: refractive index, optical rotation and absorption as functions of wavelength.
-// Wavelengths go in as nm; the micrometres of the published formulas stay inside media.cpp.
+// Wavelengths go in as nm; the micrometres of the published formulas stay inside this folder.
 #pragma once
 #include <string>
 #include <utility>
