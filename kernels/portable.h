@@ -48,6 +48,11 @@ typedef JOIN(SCALAR_INT_NAME, LANES) lane_int;
 #define count_event(counters, index) atomic_inc((counters) + (index))
 #define add_event(counters, index, n) atomic_add((counters) + (index), (n))
 typedef uint event_count;
+#define sqrt_of(x) sqrt(x)
+#define abs_of(x) fabs(x)
+#define rint_of(x) rint(x)
+#define exp_of(x) exp(x)
+#define fma_of(a, b, c) fma((a), (b), (c))
 
 #else  // C++17
 #include <cmath>
@@ -69,11 +74,11 @@ typedef int lane_int;
 #define any_lane(m) (m)
 #define load_lanes(p) (*(p))
 #define store_lanes(v, p) (*(p) = (v))
-FUNCTION real sqrt(real x) { return std::sqrt(x); }
-FUNCTION real fabs(real x) { return std::fabs(x); }
-FUNCTION real rint(real x) { return std::rint(x); }
-FUNCTION real exp(real x) { return std::exp(x); }
-FUNCTION real fma(real a, real b, real c) { return std::fma(a, b, c); }
+FUNCTION real sqrt_of(real x) { return std::sqrt(x); }
+FUNCTION real abs_of(real x) { return std::fabs(x); }
+FUNCTION real rint_of(real x) { return std::rint(x); }
+FUNCTION real exp_of(real x) { return std::exp(x); }
+FUNCTION real fma_of(real a, real b, real c) { return std::fma(a, b, c); }
 #else
 typedef scalar real __attribute__((vector_size(LANES * sizeof(scalar))));
 typedef scalar_int mask __attribute__((vector_size(LANES * sizeof(scalar))));
@@ -92,21 +97,21 @@ FUNCTION void store_lanes(real v, scalar* p) {
   for (int i = 0; i < LANES; ++i) p[i] = v[i];
 }
 #define EACH_LANE(name)                                            \
-  FUNCTION real name(real x) {                                     \
+  FUNCTION real name##_of(real x) {                                \
     real r;                                                        \
     for (int i = 0; i < LANES; ++i) r[i] = std::name(x[i]);        \
     return r;                                                      \
   }
 EACH_LANE(rint)
 EACH_LANE(exp)
-FUNCTION real fabs(real x) { return x < 0 ? -x : x; }
-FUNCTION real fma(real a, real b, real c) {
+FUNCTION real abs_of(real x) { return x < 0 ? -x : x; }
+FUNCTION real fma_of(real a, real b, real c) {
   real r;
   for (int i = 0; i < LANES; ++i) r[i] = std::fma(a[i], b[i], c[i]);
   return r;
 }
 #if defined(__AVX__) && LANES == 8 && !defined(REAL_DOUBLE)
-FUNCTION real sqrt(real x) { return (real)__builtin_ia32_sqrtps256(x); }
+FUNCTION real sqrt_of(real x) { return (real)__builtin_ia32_sqrtps256(x); }
 #else
 EACH_LANE(sqrt)
 #endif

@@ -20,7 +20,7 @@ FUNCTION vec3 along(real s, vec3 a, vec3 b) { return vec(s * a.x + b.x, s * a.y 
 FUNCTION vec3 pick3(mask m, vec3 a, vec3 b) {
   return vec(pick(m, a.x, b.x), pick(m, a.y, b.y), pick(m, a.z, b.z));
 }
-FUNCTION vec3 unit3(vec3 a) { return scale3(lanes(1) / sqrt(dot3(a, a)), a); }
+FUNCTION vec3 unit3(vec3 a) { return scale3(lanes(1) / sqrt_of(dot3(a, a)), a); }
 // Pulls a vector that is unit but for rounding back to unit length (one Newton step of 1/sqrt).
 FUNCTION vec3 renew_unit(vec3 a) {
   return scale3(lanes(1.5) - lanes(0.5) * dot3(a, a), a);
@@ -44,9 +44,9 @@ FUNCTION cplx cpick(mask m, cplx a, cplx b) {
 }
 // The square root with Re >= 0; on the negative real axis the one with Im > 0.
 FUNCTION cplx csqrt_of(cplx a) {
-  real length = sqrt(norm2(a));
-  real big = sqrt(lanes(0.5) * (length + fabs(a.re)));
-  real small = pick(big > lanes(0), lanes(0.5) * fabs(a.im) / pick(big > lanes(0), big, lanes(1)), lanes(0));
+  real length = sqrt_of(norm2(a));
+  real big = sqrt_of(lanes(0.5) * (length + abs_of(a.re)));
+  real small = pick(big > lanes(0), lanes(0.5) * abs_of(a.im) / pick(big > lanes(0), big, lanes(1)), lanes(0));
   real re = pick(a.re >= lanes(0), big, small);
   real im = pick(a.re >= lanes(0), small, big);
   return complex_of(re, pick(a.im < lanes(0), -im, im));

@@ -1,0 +1,103 @@
+// What a face does to a path: one reflected and one refracted path.
+#ifndef NICOL_INTERFACE_H
+#define NICOL_INTERFACE_H
+#include "fresnel.h"
+#include "path.h"
+
+// A face between media 1 (where the path is) and 2, its normal turned forward (d.normal > 0).
+typedef struct {
+  vec3 normal;
+  int medium1, medium2;
+} Interface;
+
+FUNCTION int pair_row(PRIVATE const SceneView* view, int medium1, int medium2) {
+  return view->header[HEADER_DELTA_ROW] + medium1 * view->header[HEADER_MEDIUM_COUNT] + medium2;
+}
+
+// Unit vector across the plane of incidence, t x normal turned so that (t, u, normal) is right-handed.
+// Built by rotating a basis of the normal (Duff et al., JCGT 6(1) 2017), so that it is orthonormal
+// to rounding at normal incidence too.
+FUNCTION vec3 across_incidence(vec3 n, vec3 d) {
+  real sign = pick(n.z >= lanes(0), lanes(1), lanes(-1));
+  real a = lanes(-1) / (sign + n.z);
+  real b = n.x * n.y * a;
+  vec3 t0 = vec(lanes(1) + sign * n.x * n.x * a, sign * b, -sign * n.x);
+  vec3 u0 = vec(b, sign + n.y * n.y * a, -n.y);
+  real along_t = dot3(d, t0), along_u = dot3(d, u0);
+  real q2 = along_t * along_t + along_u * along_u;
+  mask tilted = q2 > lanes(0);
+  real inverse = lanes(1) / sqrt_of(pick(tilted, q2, lanes(1)));
+  real ct = pick(tilted, along_t * inverse, lanes(1)), st = pick(tilted, along_u * inverse, lanes(0));
+  return sub3(scale3(ct, u0), scale3(st, t0));
+}
+
+// The way through the medium of the path's cell: absorption, and rotation of the plane of polarization
+// together with the turn of the axes to (u, u x d): both are rotations about d, so their angles add.
+FUNCTION void go_through(PRIVATE const SceneView* view, PRIVATE Path* path, int medium, real depth_mm, vec3 u) {
+  if (has(absorption, view) && view->media[medium * MEDIUM_INTS + MEDIUM_ABSORBS]) {
+    real per_mm = spectral(view, medium_row(view, medium, MEDIUM_ROW_ABSORB_PER_MM));
+    real passed = exp_of(lanes(has(polarization, view) ? -0.5f : -1.0f) * per_mm * depth_mm);
+    scale_jones(view, &path->jones, passed);
+  }
+  if (!has(polarization, view)) return;
+  real c = dot3(path->axis, u), s = dot3(second_axis(path), u);
+  if (has(rotation, view) && view->media[medium * MEDIUM_INTS + MEDIUM_ROTATES]) {
+    cplx turn = rotation_of(spectral(view, medium_row(view, medium, MEDIUM_ROW_TURNS_HI)),
+                            spectral(view, medium_row(view, medium, MEDIUM_ROW_TURNS_LO)), depth_mm);
+    real c0 = c;
+    c = c0 * turn.re + s * turn.im;
+    s = s * turn.re - c0 * turn.im;
+  }
+  turn_axes(view, &path->jones, c, s);
+  path->axis = u;
+}
+
+// Splits the path at the interface: `path` (already standing on the face, axis = u) becomes the reflected
+// one, the refracted one is returned; both keep position and cell of `path`, the caller moves them.
+FUNCTION Path split(PRIVATE const SceneView* view, PRIVATE Path* path, Interface face, PRIVATE Gathered* sum) {
+  vec3 d = path->ray.direction;
+  real n1 = spectral(view, medium_row(view, face.medium1, MEDIUM_ROW_N));
+  real n2 = spectral(view, medium_row(view, face.medium2, MEDIUM_ROW_N));
+  real delta = spectral(view, pair_row(view, face.medium1, face.medium2));
+  real cos_i = dot3(d, face.normal);
+  Fresnel f = fresnel(n1 * cos_i, delta, n1 * n1, n2 * n2);
+  cplx t_s = complex_of(f.t_s, lanes(0)), t_p = complex_of(f.t_p, lanes(0));
+  int absorbs = has(absorption, view) && (view->media[face.medium1 * MEDIUM_INTS + MEDIUM_ABSORBS] ||
+                                          view->media[face.medium2 * MEDIUM_INTS + MEDIUM_ABSORBS]);
+  if (absorbs) {
+    real k1 = spectral(view, medium_row(view, face.medium1, MEDIUM_ROW_K));
+    real k2 = spectral(view, medium_row(view, face.medium2, MEDIUM_ROW_K));
+    cplx eps1 = complex_of(n1 * n1 - k1 * k1, lanes(2) * n1 * k1);
+    cplx eps2 = complex_of(n2 * n2 - k2 * k2, lanes(2) * n2 * k2);
+    cplx change = complex_of(delta - (k2 * k2 - k1 * k1), eps2.im - eps1.im);
+    FresnelAbsorbing g = fresnel_absorbing(complex_of(n1 * cos_i, k1 * cos_i), change, eps1, eps2);
+    cplx none = complex_of(lanes(0), lanes(0));
+    f.r_s = g.r_s;
+    f.r_p = g.r_p;
+    t_s = cpick(f.total, none, g.t_s);
+    t_p = cpick(f.total, none, g.t_p);
+  } else {
+    real off_s = norm2(f.r_s) + f.t_s * f.t_s - lanes(1), off_p = norm2(f.r_p) + f.t_p * f.t_p - lanes(1);
+    real tolerance = lanes(sizeof(scalar) == 8 ? 1e-12f : 3e-6f);
+    sum->energy_off = sum->energy_off | (abs_of(off_s) > tolerance) | (abs_of(off_p) > tolerance);
+  }
+  Path refracted = *path;
+  refracted.level = ++path->level;
+  vec3 tangential = along(-cos_i, face.normal, d);
+  real inverse_n2 = lanes(1) / n2;
+  refracted.ray.direction = renew_unit(add3(scale3(n1 * inverse_n2, tangential), scale3(f.p2 * inverse_n2, face.normal)));
+  refracted.ray.direction = pick3(f.total, face.normal, refracted.ray.direction);
+  path->ray.direction = renew_unit(along(lanes(-2) * cos_i, face.normal, d));
+  if (!has(polarization, view)) {
+    real w = path->jones.e[0].re;
+    refracted.jones.e[0].re = lanes(0.5) * (norm2(t_s) + norm2(t_p)) * w;
+    path->jones.e[0].re = lanes(0.5) * (norm2(f.r_s) + norm2(f.r_p)) * w;
+    return refracted;
+  }
+  refracted.jones = absorbs ? times_diagonal(view, &path->jones, t_s, t_p)
+                            : times_real_diagonal(view, &path->jones, t_s.re, t_p.re);
+  path->jones = times_diagonal(view, &path->jones, f.r_s, f.r_p);
+  return refracted;
+}
+
+#endif

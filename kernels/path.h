@@ -1,0 +1,117 @@
+// A path traced from the camera, what it gathers, and what lights give it.
+#ifndef NICOL_PATH_H
+#define NICOL_PATH_H
+#include "hit.h"
+#include "jones.h"
+#include "optical_rotation.h"
+#include "polarizer.h"
+
+typedef struct {
+  Ray ray;
+  vec3 axis;    // e of jones.h; f = axis x direction
+  Jones jones;
+  int level;    // faces met so far
+  int pinned;   // patch whose cell the ray enters next, without a way to go; -1: none
+} Path;
+
+// Stokes radiance in the axes of the path's start, and the weight that was cut off.
+typedef struct {
+  real s0, s1, s2, s3, cut_off;
+  mask energy_off;  // a face gave R + T off 1
+} Gathered;
+
+FUNCTION vec3 second_axis(PRIVATE const Path* path) { return cross3(path->axis, path->ray.direction); }
+
+// Adds the intensities of one row-pair of fields (a at the camera's x, b at y), times `half_radiance`.
+FUNCTION void gather_fields(PRIVATE const SceneView* view, real half_radiance, cplx a, cplx b, PRIVATE Gathered* sum) {
+  real xx = half_radiance * norm2(a);
+  if (!has(full_jones, view)) {
+    sum->s0 += xx;
+    sum->s1 += xx;
+    return;
+  }
+  real yy = half_radiance * norm2(b);
+  cplx xy = cmul(a, conj_of(b));
+  sum->s0 += xx + yy;
+  sum->s1 += xx - yy;
+  sum->s2 += lanes(2) * half_radiance * xy.re;
+  sum->s3 += lanes(2) * half_radiance * xy.im;  // > 0 right circular
+}
+
+// Unpolarized radiance.
+FUNCTION void gather_unpolarized(PRIVATE const SceneView* view, PRIVATE const Path* path, real radiance,
+                                 PRIVATE Gathered* sum) {
+  if (!has(polarization, view)) {
+    sum->s0 += radiance * path->jones.e[0].re;
+    return;
+  }
+  gather_fields(view, lanes(0.5) * radiance, path->jones.e[0], path->jones.e[1], sum);
+  gather_fields(view, lanes(0.5) * radiance, path->jones.f[0], path->jones.f[1], sum);
+}
+
+FUNCTION void gather_light(PRIVATE const SceneView* view, PRIVATE const Path* path, int light, mask where,
+                           PRIVATE Gathered* sum) {
+  GLOBAL const int* record = view->lights + light * LIGHT_INTS;
+  real radiance = pick(where, spectral(view, record[LIGHT_ROW]), lanes(0));
+  int polarizer = record[LIGHT_POLARIZER];
+  if ((has(ideal_polarizer, view) || has(calcite_polarizer, view)) && polarizer >= 0) {
+    PassingState state = passing_state(view, polarizer, path->ray.direction);
+    real passed = radiance * state.amplitude * state.amplitude;
+    if (!has(polarization, view)) {
+      sum->s0 += lanes(0.5) * passed * path->jones.e[0].re;
+      return;
+    }
+    real me = dot3(state.axis, path->axis), mf = dot3(state.axis, second_axis(path));
+    cplx a = cadd(cscale(me, path->jones.e[0]), cscale(mf, path->jones.f[0])), b = a;
+    if (has(full_jones, view)) b = cadd(cscale(me, path->jones.e[1]), cscale(mf, path->jones.f[1]));
+    gather_fields(view, lanes(0.5) * passed, a, b, sum);
+    return;
+  }
+  gather_unpolarized(view, path, radiance, sum);
+}
+
+FUNCTION void gather_sky(PRIVATE const SceneView* view, PRIVATE const Path* path, mask where, PRIVATE Gathered* sum) {
+  real radiance = spectral(view, view->header[HEADER_SKY_ROW]);
+  gather_unpolarized(view, path, pick(where, radiance, lanes(0)), sum);
+}
+
+// A light on a sheet is seen from its front, or from both sides.
+FUNCTION mask shines_towards(PRIVATE const SceneView* view, PRIVATE const Path* path, int light, vec3 outward) {
+  mask front = dot3(outward, path->ray.direction) < lanes(0);
+  return view->lights[light * LIGHT_INTS + LIGHT_ONE_SIDED] ? front : (front | not_mask(front));
+}
+
+// J M for a polarizer: the path goes on in the state that passes.
+FUNCTION void pass_polarizer(PRIVATE const SceneView* view, PRIVATE Path* path, int polarizer) {
+  PassingState state = passing_state(view, polarizer, path->ray.direction);
+  if (!has(polarization, view)) {
+    path->jones.e[0].re = lanes(0.5) * state.amplitude * state.amplitude * path->jones.e[0].re;
+    return;
+  }
+  real me = dot3(state.axis, path->axis), mf = dot3(state.axis, second_axis(path));
+  for (int r = 0; r < jones_rows(view); ++r) {
+    cplx passed = cadd(cscale(me, path->jones.e[r]), cscale(mf, path->jones.f[r]));
+    path->jones.e[r] = cscale(state.amplitude, passed);
+    path->jones.f[r] = complex_of(lanes(0), lanes(0));
+  }
+  path->axis = state.axis;
+}
+
+FUNCTION int is_live(PRIVATE const SceneView* view, PRIVATE const Path* path) {
+  return any_lane(path_weight(view, &path->jones) > lanes(0));
+}
+
+// Drops the lanes at or under adc_bailout, and all at max_trace_level, into the cut-off; says if any is left.
+FUNCTION int keep_bright(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE Gathered* sum,
+                         GLOBAL event_count* counters) {
+  real w = path_weight(view, &path->jones);
+  mask bright = w > lanes(view->adc_bailout);
+  if (path->level >= view->max_trace_level) bright = w > FAR_MM;
+  if (any_lane(w != w)) count_event(counters, COUNT_NAN);
+  mask dropped = (w > lanes(0)) & not_mask(bright);
+  sum->cut_off += pick(dropped, w, lanes(0));
+  path->jones = keep_lanes(view, bright, path->jones);
+  return any_lane(bright);
+}
+
+#endif

@@ -1,0 +1,59 @@
+// One work-item: the samples of one pixel at LANES wavelengths, or of LANES pixels at one wavelength.
+#ifndef NICOL_RENDER_H
+#define NICOL_RENDER_H
+#include "camera.h"
+
+// Writes the sum over samples [sample_begin, sample_end) to `out` (OUT_COMPONENTS x LANES scalars). `samples`
+// holds x, y pairs, 0..1 within the pixel.
+FUNCTION void render_item(GLOBAL const int* ints, GLOBAL const scalar* reals, GLOBAL const scalar* tables,
+                          GLOBAL const scalar* samples, GLOBAL scalar* out, GLOBAL event_count* counters,
+                          int item, int sample_begin, int sample_end) {
+  int width = ints[HEADER_WIDTH], height = ints[HEADER_HEIGHT];
+  SceneView view = view_scene(ints, reals, tables, 0);
+  int over_pixels = has(lanes_over_pixels, &view);
+  int parts = over_pixels ? ints[HEADER_LAMBDA_COUNT] : view.stride / LANES;
+  int part = item % parts, pixel = item / parts;
+  view.row_offset = over_pixels ? part : part * LANES;
+  scalar px[LANES], py[LANES];  // pixel of each lane, from the picture's centre
+  for (int lane = 0; lane < LANES; ++lane) {
+    int p = over_pixels ? pixel * LANES + lane : pixel;
+    if (p >= width * height) p = width * height - 1;
+    px[lane] = (scalar)(p % width) - (scalar)0.5 * (scalar)width;
+    py[lane] = (scalar)0.5 * (scalar)height - (scalar)(p / width);
+  }
+  real x0 = lanes(0), y0 = lanes(0);
+  for (int lane = 0; lane < LANES; ++lane) {
+    ((PRIVATE scalar*)&x0)[lane] = px[lane];
+    ((PRIVATE scalar*)&y0)[lane] = py[lane];
+  }
+  real total[OUT_COMPONENTS];
+  for (int i = 0; i < OUT_COMPONENTS; ++i) total[i] = lanes(0);
+  int segments = 0;
+  PathStack stack;
+  for (int s = sample_begin; s < sample_end; ++s) {
+    real u = (x0 + lanes(samples[2 * s])) / lanes((scalar)width);
+    real v = (y0 - lanes(samples[2 * s + 1])) / lanes((scalar)height);
+    vec3 picture_x;
+    Path path = camera_path(&view, u, v, &picture_x);
+    vec3 axis = path.axis, direction = path.ray.direction;
+    Gathered sum;
+    sum.s0 = sum.s1 = sum.s2 = sum.s3 = sum.cut_off = lanes(0);
+    sum.energy_off = lanes(0) != lanes(0);
+    segments += follow(&view, path, &stack, &sum, counters);
+    turn_to_picture(&sum, axis, picture_x, direction);
+    if (any_lane(sum.energy_off)) count_event(counters, COUNT_ENERGY);
+    if (any_lane(sum.s0 != sum.s0)) count_event(counters, COUNT_NAN);
+    real polarized2 = sum.s1 * sum.s1 + sum.s2 * sum.s2 + sum.s3 * sum.s3;
+    real slack = lanes(sizeof(scalar) == 8 ? 1e-12f : 1e-5f);
+    if (any_lane(polarized2 > sum.s0 * sum.s0 * (lanes(1) + slack))) count_event(counters, COUNT_STOKES);
+    total[0] += sum.s0;
+    total[1] += sum.s1;
+    total[2] += sum.s2;
+    total[3] += sum.s3;
+    total[OUT_CUT_OFF] += sum.cut_off;
+  }
+  for (int i = 0; i < OUT_COMPONENTS; ++i) store_lanes(total[i], out + i * LANES);
+  add_event(counters, COUNT_SEGMENTS, (event_count)segments);
+}
+
+#endif
