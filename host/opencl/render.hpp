@@ -26,6 +26,7 @@ struct BuildReport {
   std::string options;
   double seconds = 0;       // of building or loading, first launch included
   bool cached = false;      // the binary came from the disk cache
+  std::string note;         // "" or what the user may want to know: no cache folder can be written
 };
 
 struct Progress {

@@ -1,0 +1,30 @@
+// The OpenCL side of a device, for this folder only.
+#pragma once
+#include <array>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "host/opencl/device.hpp"
+#include "host/opencl/opencl.hpp"
+
+namespace nicol {
+
+struct Kernel;
+
+class Device {
+ public:
+  Device(const DeviceInfo& device_info, const cl::Device& cl_device);
+
+  DeviceInfo about;
+  cl::Device device;
+  cl::Context context;
+  std::array<cl::CommandQueue, 2> queues;   // in order; launches alternate between them
+
+  // Kernels of this process by identity (see program.cpp), so that a second picture builds nothing.
+  std::mutex kernels_lock;
+  std::map<std::string, std::shared_ptr<const Kernel>> kernels;
+};
+
+}  // namespace nicol

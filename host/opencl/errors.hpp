@@ -1,0 +1,18 @@
+// OpenCL's errors by name.
+#pragma once
+#include <string>
+
+#include "host/opencl/opencl.hpp"
+
+namespace nicol {
+
+// "CL_OUT_OF_RESOURCES"; "OpenCL error -9999" for a code that has no name.
+std::string error_name(cl_int code);
+
+// "clEnqueueNDRangeKernel failed with CL_OUT_OF_RESOURCES on pthread-haswell".
+std::string error_message(const cl::Error& error, const std::string& device);
+
+// True for the errors that mean too much memory or work at once.
+bool is_shortage(cl_int code);
+
+}  // namespace nicol

@@ -1,0 +1,36 @@
+// From kernel text to a kernel that is ready to launch: built once a process, kept on disk between them.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "host/opencl/device_impl.hpp"
+#include "host/opencl/render.hpp"
+
+namespace nicol {
+
+struct Kernel {
+  cl::Program program;
+  std::string name;
+  int local_size = 1;
+  BuildReport report;
+};
+
+struct KernelRequest {
+  std::string file, name;         // "trace.cl", "trace"
+  int lanes = 1;
+  bool real_double = false;
+  std::string defines;            // further -D options
+  bool binary_cache = true;
+  // Launches the kernel once on no work, with its fixed local size: PoCL compiles at the first launch, and a binary
+  // holds only what was launched before it was saved.
+  std::function<void(cl::CommandQueue&, cl::Kernel&, int local_size)> warm_up;
+};
+
+// 1 on a CPU: PoCL keeps the private memory of a whole work-group on one thread's stack. 64 elsewhere.
+int local_size_on(const DeviceInfo& device);
+
+// Throws DeviceError; a build failure carries the log, which names kernel file and line.
+std::shared_ptr<const Kernel> get_kernel(Device& device, const KernelRequest& request);
+
+}  // namespace nicol
