@@ -19,6 +19,7 @@ struct FeatureReason {
 struct Features {
   std::uint32_t mask = 0;
   std::vector<FeatureReason> rows;  // every feature, in the order of features.def
+  std::vector<std::string> notes;   // work saved on the host ("one geometry serves all 21 wavelengths")
 };
 
 Features decide_features(const Scene& scene, const Geometry& geometry);

@@ -10,9 +10,7 @@
 namespace nicol {
 
 // What the kernels get. Scalars are double here; the render converts them to the device's real.
-// `channels` are what the kernel traces one by one: the scene's wavelengths or, where nothing on the way
-// of light depends on wavelength, one channel per shape of source spectrum (the picture is then
-// their combination: one geometry serves all wavelengths).
+// `channels` are what the kernel traces one by one: wavelengths or source shapes, see channels.hpp.
 struct PackedScene {
   std::vector<std::int32_t> ints;
   std::vector<double> reals;

@@ -1,0 +1,83 @@
+#include "host/channels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nicol {
+namespace {
+
+bool constant(const Samples& values) {
+  return std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); });
+}
+
+bool transport_is_colourless(const Scene& scene) {
+  for (const Medium& medium : scene.media) {
+    // a constant extinction coefficient still absorbs by wavelength
+    if (!constant(medium.n) || !constant(medium.rotation_deg_per_mm)) return false;
+    if (std::any_of(medium.k.begin(), medium.k.end(), [](double k) { return k != 0; })) return false;
+    if (medium.circular_waves) return false;
+  }
+  return std::all_of(scene.polarizers.begin(), scene.polarizers.end(), [](const Polarizer& p) {
+    return p.kind != Polarizer::Kind::calcite || (constant(p.n_o) && constant(p.n_e));
+  });
+}
+
+// The factor by which `values` is `shape`, or NaN.
+double ratio_to(const Samples& values, const Samples& shape) {
+  double largest = 0, ratio = 0;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    if (std::fabs(shape[i]) > largest) {
+      largest = std::fabs(shape[i]);
+      ratio = values[i] / shape[i];
+    }
+  }
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    if (std::fabs(values[i] - ratio * shape[i]) > 1e-14 * largest * std::fabs(ratio)) return NAN;
+  }
+  return ratio;
+}
+
+}  // namespace
+
+Channels choose_channels(const Scene& scene) {
+  Channels out;
+  const std::size_t wavelengths = scene.lambda_nm.size();
+  out.count = static_cast<int>(wavelengths);
+  if (wavelengths < 2 || !transport_is_colourless(scene)) return out;
+
+  std::vector<const Samples*> sources;
+  for (const Emission& emission : scene.emissions) sources.push_back(&emission.radiance);
+  sources.push_back(&scene.sky);
+  std::vector<const Samples*> shapes;
+  std::vector<std::vector<std::pair<std::size_t, double>>> parts;
+  for (const Samples* source : sources) {
+    parts.emplace_back();
+    if (std::all_of(source->begin(), source->end(), [](double v) { return v == 0; })) continue;
+    std::size_t found = 0;
+    double ratio = NAN;
+    for (; found < shapes.size(); ++found) {
+      ratio = ratio_to(*source, *shapes[found]);
+      if (!std::isnan(ratio)) break;
+    }
+    if (found == shapes.size()) {
+      shapes.push_back(source);
+      ratio = 1;
+    }
+    parts.back().push_back({found, ratio});
+  }
+  if (shapes.empty() || shapes.size() >= wavelengths) return out;
+
+  out.shared = true;
+  out.count = static_cast<int>(shapes.size());
+  for (const Samples* shape : shapes) out.mixing.insert(out.mixing.end(), shape->begin(), shape->end());
+  for (const auto& part : parts) {
+    std::vector<double> shares(shapes.size(), 0.0);
+    for (const auto& [channel, ratio] : part) shares[channel] = ratio;
+    out.emission.push_back(std::move(shares));
+  }
+  out.sky = out.emission.back();
+  out.emission.pop_back();
+  return out;
+}
+
+}  // namespace nicol
