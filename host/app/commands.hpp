@@ -1,0 +1,74 @@
+// The verbs of the command line, each with its options. Each answers the exit code: 0 done, 1 error, 2 interrupted.
+#pragma once
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace nicol::app {
+
+inline constexpr int exit_done = 0, exit_error = 1, exit_interrupted = 2;
+
+// What the user did wrong, told in full.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// What may be said of a scene beside its text.
+struct SceneOptions {
+  int width = 512, height = 512;
+  std::vector<std::string> library_paths;
+  std::vector<std::string> declares;        // name=value
+  std::string wavelengths;                  // from:to:step in nm, or a list with commas; empty: the scene's
+  std::optional<int> samples;
+  std::optional<int> max_trace_level;
+  std::optional<double> adc_bailout;
+  std::string polarization;                 // on, off; empty: the scene's
+};
+
+struct DeviceOptions {
+  std::string device;                       // index or part of the name; empty: the default
+  std::string real = "float";
+  int lanes = 0;
+  bool generic = false;
+  bool no_cache = false;
+};
+
+struct RenderCommand {
+  std::string scene;
+  std::vector<std::string> outputs;         // empty: the scene's name with .png, in the working directory
+  SceneOptions options;
+  DeviceOptions device;
+  bool quiet = false;
+  std::string command_line;                 // for the picture's header
+};
+
+struct ExplainCommand {
+  std::string scene;
+  SceneOptions options;
+  DeviceOptions device;
+  bool no_build = false;
+};
+
+struct CheckCommand {
+  std::vector<std::string> scenes;
+  SceneOptions options;
+};
+
+struct ExpectCommand {
+  std::vector<std::string> scenes;
+  SceneOptions options;
+  DeviceOptions device;                     // real: float, double or both
+};
+
+int render_command(const RenderCommand& command);
+int explain_command(const ExplainCommand& command);
+int check_command(const CheckCommand& command);
+int expect_command(const ExpectCommand& command);
+int devices_command();
+int probe_command(const DeviceOptions& options);
+int words_command();
+
+const char* version();
+
+}  // namespace nicol::app

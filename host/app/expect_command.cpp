@@ -1,0 +1,70 @@
+// `nicol expect`: the numbers that scenes must give, held against what they give.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+
+#include "host/app/commands.hpp"
+#include "host/app/expectations.hpp"
+
+namespace nicol::app {
+namespace {
+
+std::string numbers(const std::vector<double>& values) { return fmt::format("{:.7g}", fmt::join(values, ", ")); }
+
+void print_outcome(const LoadedScene& loaded, const Expectation& expectation, const Outcome& outcome) {
+  std::string what = quantity_name(expectation.quantity);
+  if (expectation.lambda_nm > 0) what += fmt::format(" at {:g} nm", expectation.lambda_nm);
+  if (expectation.length_mm > 0) what += fmt::format(", {:g} mm", expectation.length_mm);
+  fmt::print("  {}  {}  {} in ({:g}, {:g})\n", outcome.pass ? "pass" : "FAIL", loaded.place(expectation.where), what,
+             expectation.at[0], expectation.at[1]);
+  fmt::print("        expected {} within {:g}{}", numbers(expectation.value), expectation.tolerance,
+             expectation.relative ? " of it" : "");
+  if (!outcome.value.empty()) fmt::print(", is {}", numbers(outcome.value));
+  if (!outcome.difference.empty()) fmt::print(", off by {:.3g}", fmt::join(outcome.difference, ", "));
+  if (!outcome.reason.empty()) fmt::print(": {}", outcome.reason);
+  fmt::print("\n");
+  if (!expectation.source.empty()) fmt::print("        source: {}\n", expectation.source);
+}
+
+// Answers how many failed.
+int print_all(const LoadedScene& loaded, Device& device, const DeviceOptions& options) {
+  const std::vector<Outcome> outcomes = evaluate_expectations(loaded, device, kernel_options(options));
+  int failures = 0;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    print_outcome(loaded, loaded.scene.expectations[i], outcomes[i]);
+    if (!outcomes[i].pass) ++failures;
+  }
+  fmt::print("{} in {}: {} of {} hold\n", loaded.scene.path, options.real,
+             outcomes.size() - static_cast<std::size_t>(failures), outcomes.size());
+  std::fflush(stdout);
+  return failures;
+}
+
+}  // namespace
+
+int expect_command(const ExpectCommand& command) {
+  const bool both = command.device.real == "both";
+  const std::vector<std::string> reals =
+      both ? std::vector<std::string>{"double", "float"} : std::vector<std::string>{command.device.real};
+  int code = exit_done;
+  for (const std::string& path : command.scenes) {
+    const auto loaded = load_scene(path, command.options);
+    if (!loaded) {
+      code = exit_error;
+      continue;
+    }
+    if (loaded->scene.expectations.empty()) {
+      fmt::print("{}: expects nothing\n", path);
+      continue;
+    }
+    for (const std::string& real : reals) {
+      DeviceOptions options = command.device;
+      options.real = real;
+      if (print_all(*loaded, *open_wanted_device(options), options) > 0) code = exit_error;
+    }
+  }
+  return code;
+}
+
+}  // namespace nicol::app

@@ -1,0 +1,55 @@
+// See interrupt.hpp. The handler calls only what POSIX lists as safe in a signal handler.
+#include "host/app/interrupt.hpp"
+
+#include <csignal>
+#include <cstring>
+#include <unistd.h>
+
+#include "host/app/commands.hpp"
+
+namespace nicol::app {
+namespace {
+
+std::atomic<bool> interrupted{false};
+std::atomic<bool> something_to_save{false};
+std::vector<std::string>& files_to_remove() {
+  static std::vector<std::string> files;
+  return files;
+}
+static_assert(std::atomic<bool>::is_always_lock_free, "the signal handler needs lock-free flags");
+
+void tell(const char* message) {
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, message, std::strlen(message));
+}
+
+extern "C" void on_interrupt(int) {
+  if (something_to_save && !interrupted.exchange(true)) {
+    tell("\nnicol: interrupted; the tiles in flight are finished and saved (once more quits at once)\n");
+    return;
+  }
+  if (something_to_save)
+    for (const std::string& file : files_to_remove()) unlink(file.c_str());
+  tell("\nnicol: interrupted, nothing saved\n");
+  _exit(exit_interrupted);
+}
+
+}  // namespace
+
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;
+  sigemptyset(&action.sa_mask);
+  sigaddset(&action.sa_mask, SIGINT);
+  sigaddset(&action.sa_mask, SIGTERM);
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+const std::atomic<bool>& finish_first(const std::vector<std::string>& unfinished_files) {
+  files_to_remove() = unfinished_files;
+  something_to_save = true;
+  return interrupted;
+}
+
+}  // namespace nicol::app

@@ -1,0 +1,118 @@
+// See loaded_scene.hpp.
+#include "host/app/loaded_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "host/bind/bind.hpp"
+
+namespace nicol::app {
+namespace {
+
+double parse_number(std::string_view text, const std::string& whole) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    throw UsageError(fmt::format("'{}' is not a number in '{}'", text, whole));
+  return value;
+}
+
+std::vector<double> split_numbers(const std::string& text, char separator) {
+  std::vector<double> numbers;
+  std::size_t from = 0;
+  for (;;) {
+    const std::size_t to = std::min(text.find(separator, from), text.size());
+    numbers.push_back(parse_number(std::string_view(text).substr(from, to - from), text));
+    if (to == text.size()) return numbers;
+    from = to + 1;
+  }
+}
+
+sdl::Options parse_options(const SceneOptions& options) {
+  sdl::Options result;
+  result.library_paths = options.library_paths;
+  for (const std::string& declare : options.declares) {
+    const std::size_t equals = declare.find('=');
+    if (equals == 0 || equals == std::string::npos)
+      throw UsageError(fmt::format("--declare takes name=value, not '{}'", declare));
+    result.declares[declare.substr(0, equals)] = parse_number(std::string_view(declare).substr(equals + 1), declare);
+  }
+  result.image_width = options.width;
+  result.image_height = options.height;
+  return result;
+}
+
+BindOptions bind_options(const std::string& path, const SceneOptions& options) {
+  BindOptions result;
+  result.width = options.width;
+  result.height = options.height;
+  result.path = path;
+  if (!options.wavelengths.empty()) result.lambda_nm = parse_wavelengths(options.wavelengths);
+  result.max_trace_level = options.max_trace_level;
+  result.adc_bailout = options.adc_bailout;
+  result.samples = options.samples;
+  if (!options.polarization.empty()) result.polarization = options.polarization == "on";
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> parse_wavelengths(const std::string& text) {
+  if (text.find(':') == std::string::npos) {
+    std::vector<double> list = split_numbers(text, ',');
+    std::sort(list.begin(), list.end());
+    if (std::adjacent_find(list.begin(), list.end()) != list.end())
+      throw UsageError(fmt::format("--wavelengths {}: a wavelength stands there twice", text));
+    return list;
+  }
+  const std::vector<double> range = split_numbers(text, ':');
+  constexpr double most = 10000;
+  if (range.size() != 3 || !(range[2] > 0) || !(range[1] >= range[0]))
+    throw UsageError(fmt::format("--wavelengths takes from:to:step in nm (400:700:10) or a list, not '{}'", text));
+  const double steps = std::floor((range[1] - range[0]) / range[2] + 1e-9);  // 1e-9: 0.1 is no binary number
+  if (steps >= most) throw UsageError(fmt::format("--wavelengths {}: more than {} wavelengths", text, most));
+  std::vector<double> lambda_nm;
+  for (int i = 0; i <= static_cast<int>(steps); ++i) lambda_nm.push_back(range[0] + i * range[2]);
+  return lambda_nm;
+}
+
+std::string LoadedScene::place(const Location& where) const {
+  return fmt::format("{}:{}", parsed.sources.name(where.file), where.line);
+}
+
+std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options) {
+  const sdl::Options sdl_options = parse_options(options);
+  const BindOptions wanted = bind_options(path, options);
+  auto loaded = std::make_unique<LoadedScene>();
+  sdl::Diagnostics& diagnostics = loaded->parsed.diagnostics;
+  sdl::parse_file(path, sdl_options, loaded->parsed);
+  if (!loaded->parsed.document.items.empty() || !diagnostics.failed())
+    loaded->scene = bind(loaded->parsed.document, wanted, diagnostics);
+  if (!diagnostics.failed()) loaded->geometry = build_geometry(loaded->scene, diagnostics);
+  if (!diagnostics.all().empty()) fmt::print(stderr, "{}", diagnostics.text());
+  if (diagnostics.failed()) return nullptr;
+  loaded->features = decide_features(loaded->scene, loaded->geometry);
+  return loaded;
+}
+
+KernelOptions kernel_options(const DeviceOptions& options) {
+  KernelOptions result;
+  result.real_double = options.real == "double";
+  result.lanes = options.lanes;
+  result.generic = options.generic;
+  result.binary_cache = !options.no_cache;
+  return result;
+}
+
+std::shared_ptr<Device> open_wanted_device(const DeviceOptions& options) {
+  std::shared_ptr<Device> device = open_device(options.device);
+  if (options.real == "double" && !info(*device).has_fp64)
+    throw UsageError(fmt::format("{} has no double precision; use --real float", info(*device).name));
+  return device;
+}
+
+}  // namespace nicol::app

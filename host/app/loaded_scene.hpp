@@ -1,0 +1,34 @@
+// A scene file taken through parser, bind, solids and features, with all its errors told at once.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "host/app/commands.hpp"
+#include "host/features.hpp"
+#include "host/opencl/render.hpp"
+#include "host/scene.hpp"
+#include "host/solids/solids.hpp"
+#include "sdl/parse.hpp"
+
+namespace nicol::app {
+
+struct LoadedScene {
+  sdl::Result parsed;       // holds the sources that Locations point into
+  Scene scene;
+  Geometry geometry;
+  Features features;
+  std::string place(const Location& where) const;  // "scene.pov:12"
+};
+
+// Warnings and errors go to standard error; null if there was an error. UsageError for wrong options.
+std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options);
+
+KernelOptions kernel_options(const DeviceOptions& options);
+
+// Opens the device that is asked for, and checks that it can do what is asked.
+std::shared_ptr<Device> open_wanted_device(const DeviceOptions& options);
+
+// from:to:step or a list with commas, nm, ascending.
+std::vector<double> parse_wavelengths(const std::string& text);
+
+}  // namespace nicol::app

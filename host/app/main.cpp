@@ -1,0 +1,148 @@
+// The program: reads the command line and hands over to the verb.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <new>
+
+#include "host/app/commands.hpp"
+#include "host/app/interrupt.hpp"
+#include "host/app/povray_switches.hpp"
+
+namespace {
+
+using namespace nicol::app;
+
+void add_scene_options(CLI::App& verb, SceneOptions& options) {
+  verb.add_option("-W,--width", options.width, "Width of the picture in pixels")
+      ->check(CLI::Range(1, 65536))->capture_default_str();
+  verb.add_option("-H,--height", options.height, "Height of the picture in pixels")
+      ->check(CLI::Range(1, 65536))->capture_default_str();
+  verb.add_option("-L,--library", options.library_paths, "Folder to look for include files in; may be repeated")
+      ->allow_extra_args(false);
+  verb.add_option("-D,--declare", options.declares, "name=value: a number declared before the scene is read")
+      ->allow_extra_args(false);
+  verb.add_option("--wavelengths", options.wavelengths, "from:to:step or a list, in nm, instead of the scene's");
+  verb.add_option("--max-trace-level", options.max_trace_level, "Interfaces along a path, instead of the scene's")
+      ->check(CLI::Range(1, 256));
+  verb.add_option("--adc-bailout", options.adc_bailout, "Weight at which a path is cut off, instead of the scene's")
+      ->check(CLI::Range(0.0, 1.0));
+  verb.add_option("--polarization", options.polarization, "on or off, instead of the scene's")
+      ->check(CLI::IsMember({"on", "off"}));
+}
+
+void add_device_options(CLI::App& verb, DeviceOptions& options, const std::vector<std::string>& reals) {
+  verb.add_option("--device", options.device, "OpenCL device: its number or a part of its name (see `nicol devices`)");
+  verb.add_option("--real", options.real, "Precision of the kernel")->check(CLI::IsMember(reals))->capture_default_str();
+  verb.add_option("--lanes", options.lanes, "Lanes of the kernel: 1, 4, 8, 16 (default: what suits the device)")
+      ->check(CLI::IsMember({1, 4, 8, 16}));
+  verb.add_flag("--generic", options.generic, "One kernel for all scenes instead of one for this scene's effects");
+  verb.add_flag("--no-cache", options.no_cache, "Build the kernel anew");
+}
+
+using Verb = std::function<int()>;
+
+void add_render(CLI::App& app, RenderCommand& command, Verb& chosen) {
+  CLI::App* verb = app.add_subcommand("render", "Render a scene to pictures: .exr (spectral Stokes) and .png");
+  verb->footer("POV-Ray's switches work too: +Iscene.pov +Oout.png +W640 +H480 +Lfolder Declare=name=value");
+  verb->add_option("scene,-i,--input", command.scene, "The scene")->required();
+  verb->add_option("-o,--output", command.outputs, "Picture to write (.exr or .png); may be repeated")
+      ->allow_extra_args(false);
+  add_scene_options(*verb, command.options);
+  verb->add_option("--samples", command.options.samples, "Samples per pixel, instead of the scene's")
+      ->check(CLI::Range(1, 65536));
+  add_device_options(*verb, command.device, {"float", "double"});
+  verb->add_flag("-q,--quiet", command.quiet, "Tell only what went wrong");
+  verb->callback([&] { chosen = [&] { return render_command(command); }; });
+}
+
+void add_explain(CLI::App& app, ExplainCommand& command, Verb& chosen) {
+  CLI::App* verb = app.add_subcommand("explain", "Tell which effects a scene calls for, and why");
+  verb->add_option("scene", command.scene, "The scene")->required();
+  add_scene_options(*verb, command.options);
+  add_device_options(*verb, command.device, {"float", "double"});
+  verb->add_flag("--no-build", command.no_build, "Do not build the kernel");
+  verb->callback([&] { chosen = [&] { return explain_command(command); }; });
+}
+
+void add_check(CLI::App& app, CheckCommand& command, Verb& chosen) {
+  CLI::App* verb = app.add_subcommand("check", "Read scenes and build their solids: all errors at once");
+  verb->add_option("scenes", command.scenes, "The scenes")->required();
+  add_scene_options(*verb, command.options);
+  verb->callback([&] { chosen = [&] { return check_command(command); }; });
+}
+
+void add_expect(CLI::App& app, ExpectCommand& command, Verb& chosen) {
+  CLI::App* verb = app.add_subcommand("expect", "Hold scenes against the numbers in their `expect { }`");
+  verb->add_option("scenes", command.scenes, "The scenes")->required();
+  add_scene_options(*verb, command.options);
+  command.device.real = "double";
+  add_device_options(*verb, command.device, {"float", "double", "both"});
+  verb->callback([&] { chosen = [&] { return expect_command(command); }; });
+}
+
+void add_device_verbs(CLI::App& app, DeviceOptions& options, Verb& chosen) {
+  app.add_subcommand("devices", "The OpenCL devices, and which is used")->callback([&] { chosen = devices_command; });
+  CLI::App* verb = app.add_subcommand("probe", "Solve single faces: JSON from standard input to standard output");
+  verb->add_option("--device", options.device, "OpenCL device: its number or a part of its name");
+  verb->add_option("--real", options.real, "Precision of the kernel")
+      ->check(CLI::IsMember({"float", "double"}))->capture_default_str();
+  verb->callback([&] { chosen = [&] { return probe_command(options); }; });
+}
+
+int run(const std::vector<std::string>& arguments) {
+  CLI::App app{"nicol renders crystals: spectral, polarized, exact at every face.", "nicol"};
+  app.set_version_flag("--version", std::string("nicol ") + version());
+  app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return fmt::format("nicol: {}\nTry `nicol --help` or `nicol VERB --help`.\n", error.what());
+  });
+  RenderCommand render;
+  ExplainCommand explain;
+  CheckCommand check;
+  ExpectCommand expect;
+  DeviceOptions device;
+  Verb chosen;
+  add_render(app, render, chosen);
+  add_explain(app, explain, chosen);
+  add_check(app, check, chosen);
+  add_expect(app, expect, chosen);
+  add_device_verbs(app, device, chosen);
+  app.add_subcommand("words", "Every word that a scene may use, as Markdown")
+      ->callback([&] { chosen = words_command; });
+
+  std::vector<std::string> ignored, translated = arguments;
+  if (!arguments.empty() && arguments.front() == "render") {
+    translated = translate_povray_switches(arguments, ignored);
+    for (const std::string& argument : ignored) fmt::print(stderr, "nicol: {} says nothing to nicol; ignored\n", argument);
+    render.command_line = fmt::format("nicol {}", fmt::join(arguments, " "));
+  }
+  std::reverse(translated.begin(), translated.end());  // CLI11 takes them last first
+  try {
+    app.parse(translated);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_done : exit_error;
+  }
+  return chosen();
+}
+
+int complain(const char* message) {
+  fmt::print(stderr, "nicol: {}\n", message);
+  return exit_error;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    catch_interrupts();
+    return run({argv + 1, argv + argc});
+  } catch (const std::bad_alloc&) {
+    return complain("the memory does not suffice; take a smaller picture or fewer wavelengths");
+  } catch (const std::exception& error) {
+    return complain(error.what());
+  }
+}

@@ -1,0 +1,24 @@
+// What is told of a finished picture: on standard error, and in the picture's header.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/app/loaded_scene.hpp"
+#include "host/opencl/render.hpp"
+#include "host/output/frame.hpp"
+
+namespace nicol::app {
+
+std::string summary_text(const Frame& frame, const RenderReport& report, int samples);
+
+// One line for each counter that is not 0, each saying what it means; empty if all is well.
+std::string counter_warnings(const RenderReport& report);
+
+std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loaded, const RenderCommand& command,
+                                                          const RenderReport& report);
+
+// Pixels with a colour outside what PNG can hold.
+std::size_t count_clipped_pixels(const Frame& frame);
+
+}  // namespace nicol::app
