@@ -12,7 +12,7 @@
 // Valid for real indices; absorbing media: see fresnel_absorbing below. Test: tests/kernels.
 #ifndef NICOL_FRESNEL_H
 #define NICOL_FRESNEL_H
-#include "vec3.h"
+#include "modes.h"
 
 typedef struct {
   cplx r_s, r_p;
@@ -49,16 +49,16 @@ FUNCTION Fresnel fresnel(real p1, real delta, real eps1, real eps2) {
 
 // The same with complex permittivities and a complex p1 (a wave in an absorbing medium, attenuated along
 // its own direction). T by Poynting flux: T_s = |t|^2 Re p2/Re p1, T_p with p/eps for p; the branch
-// of p2 continues the one of the transparent case (Im p2 > 0 where it decays, Re p2 >= 0 elsewhere).
+// of p2 continues the one of the transparent case: Im p2 > 0 where `evanescent`, Re p2 >= 0 elsewhere.
 // Source: Born & Wolf, 14.2. t_s, t_p are complex here.
 typedef struct {
   cplx r_s, r_p, t_s, t_p;   // t per root of flux
   cplx p2;
 } FresnelAbsorbing;
 
-FUNCTION FresnelAbsorbing fresnel_absorbing(cplx p1, cplx delta, cplx eps1, cplx eps2) {
+FUNCTION FresnelAbsorbing fresnel_absorbing(cplx p1, cplx delta, cplx eps1, cplx eps2, mask evanescent) {
   FresnelAbsorbing out;
-  cplx p2 = csqrt_of(cadd(cmul(p1, p1), delta));
+  cplx p2 = forward_root(cadd(cmul(p1, p1), delta), evanescent);
   out.p2 = p2;
   cplx inverse_s = cdiv(complex_of(lanes(1), lanes(0)), cadd(p1, p2));
   out.r_s = cmul(complex_of(-delta.re, -delta.im), cmul(inverse_s, inverse_s));

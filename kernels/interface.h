@@ -70,7 +70,7 @@ FUNCTION Path split(PRIVATE const SceneView* view, PRIVATE Path* path, Interface
     cplx eps1 = complex_of(n1 * n1 - k1 * k1, lanes(2) * n1 * k1);
     cplx eps2 = complex_of(n2 * n2 - k2 * k2, lanes(2) * n2 * k2);
     cplx change = complex_of(delta - (k2 * k2 - k1 * k1), eps2.im - eps1.im);
-    FresnelAbsorbing g = fresnel_absorbing(complex_of(n1 * cos_i, k1 * cos_i), change, eps1, eps2);
+    FresnelAbsorbing g = fresnel_absorbing(complex_of(n1 * cos_i, k1 * cos_i), change, eps1, eps2, f.total);
     cplx none = complex_of(lanes(0), lanes(0));
     f.r_s = g.r_s;
     f.r_p = g.r_p;
