@@ -1,4 +1,5 @@
-// Exact solids and contacts (CGAL inside, none of it outside). See solids.cpp for how.
+// Exact solids and contacts: what the tracer gets of every shape, in double. Everything before is exact (exact.hpp);
+// numbers are rounded once, here. Normals and offsets of opposite planes are exactly opposite.
 #pragma once
 #include <vector>
 
@@ -13,8 +14,10 @@ struct Plane {
   double offset_mm = 0;
 };
 
-// Where a face of a cell, or part of it, touches something else. The part is convex: inside all `edges`
-// (planes across the face) and, where `disc` is set, inside that ring.
+// Where a face of a cell, or part of it, touches something else. The part is convex: the face inside all
+// `edges` (planes across it; none: the whole face) and, with has_disc, inside that ring. Edges and ring
+// are relative to the cell's centre. Patches of a cell come in the order of its faces; where two patches of
+// one face cover the same place (a sheet between two solids) the first counts.
 struct Ring {
   Vec3 centre_mm;
   double radius_mm = 0, hole_radius_mm = 0;
@@ -31,8 +34,9 @@ struct Patch {
   int face = 0;          // index into Geometry::faces of the face it lies on
   int other_face = -1;   // seam, cell_*: the face of the other cell
   int other_cell = -1;
-  int sheet = -1;        // polarizer: index into Geometry::sheets
+  int sheet = -1;        // polarizer, or light of a sheet: index into Geometry::sheets
   int emission = -1;     // light: index into Scene::emissions
+  bool back = false;     // light: the dark back of a one-sided sheet
   std::vector<Plane> edges;
   bool has_disc = false;
   Ring disc;
@@ -52,18 +56,22 @@ struct Cell {
 
 struct Face {
   Plane plane;                 // outward
-  int shape_face = -1;         // index of the half-space of the shape, -1 for a seam
+  // Index of the half-space of the shape, -1 for a seam. Prisms: 0 at y_min, 1 at y_max, 2 + k on edge k
+  // of the contours, counted through all of them (edge k runs from point k to the next).
+  int shape_face = -1;
   int emission = -1;           // the whole face shines inwards and outwards as an opaque light, or -1
   std::vector<Vec3> corners;   // world mm, counter-clockwise seen from outside
 };
 
-// A flat surface in a cell that shines or polarizes: one convex piece of a polygon, or a disc.
+// A flat surface in a cell that shines or polarizes: one convex piece of a polygon, or a disc. The normal of
+// a polygon points to where its first contour is seen to run counter-clockwise. A sheet that lies on a
+// solid stays here, in the cell around that solid: its other side and what overhangs are still seen from there.
 struct Sheet {
   int object = -1;
   int cell = 0;           // the cell it lies in
   int emission = -1, polarizer = -1;
-  Vec3 centre_mm;         // local origin, world mm
-  Plane plane;            // relative to centre_mm
+  Vec3 centre_mm;         // local origin, world mm; pieces of one polygon share it
+  Plane plane;            // relative to centre_mm, as are edges and disc
   std::vector<Plane> edges;
   bool has_disc = false;
   Ring disc;
