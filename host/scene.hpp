@@ -58,7 +58,9 @@ struct Polarizer {
 struct Emission {
   Samples radiance;               // per nm; a spectrum of scale 1 gives Y = 1 in the picture
   std::optional<int> polarizer;   // index into Scene::polarizers: lies on the surface without a gap
-  bool one_sided = false;         // shines only to the side of the face's outward normal
+  // Shines only to its outer side: where the outward normal of the face points, the normal of the disc,
+  // or from where the polygon's first contour runs counter-clockwise (in world coordinates).
+  bool one_sided = false;
   Location where;
 };
 
@@ -114,7 +116,7 @@ struct Camera {
 // ---- numbers the scene must give ----
 struct Expectation {
   enum class Quantity {
-    relative_radiance,  // S0 at lambda_nm over the radiance of the scene's first emission
+    relative_radiance,  // S0 at lambda_nm over the radiance of the first emission (of the sky, if none)
     stokes,             // S0..S3 at lambda_nm over the same
     xyz,                // CIE 1931 of the pixel
     rgb,                // linear sRGB of the pixel
@@ -126,6 +128,7 @@ struct Expectation {
   std::array<double, 2> at{0.5, 0.5};  // place in the picture: 0..1 from the left, from the top
   double lambda_nm = 0;
   double length_mm = 0;
+  int medium = 0;           // malus_xyz: index into Scene::media
   std::vector<double> value;
   double tolerance = 0;
   bool relative = false;    // tolerance relative to |value|

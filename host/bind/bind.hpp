@@ -1,0 +1,31 @@
+// Tree to Scene: words get their meaning here, units and handedness are converted here (units.hpp).
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/scene.hpp"
+#include "sdl/diagnostics.hpp"
+#include "sdl/tree.hpp"
+
+namespace nicol {
+
+// What the command line knows, or wants otherwise than the scene says.
+struct BindOptions {
+  int width = 640, height = 480;     // of the picture
+  std::string path;                  // of the scene, for Scene::path
+  std::vector<double> lambda_nm;     // empty: as the scene says
+  std::optional<int> max_trace_level;
+  std::optional<double> adc_bailout;
+  std::optional<int> samples;
+  std::optional<double> exposure;
+  std::optional<bool> polarization;
+};
+
+// All errors are collected in `diagnostics`; the Scene is whole only if none was added.
+Scene bind(const sdl::Document& document, const BindOptions& options, sdl::Diagnostics& diagnostics);
+
+// Every block and word that bind understands, as Markdown tables.
+std::string vocabulary();
+
+}  // namespace nicol

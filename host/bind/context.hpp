@@ -1,0 +1,76 @@
+// What all of bind shares: the scene being made, where complaints go, and the budget against scenes
+// that name one thing 2^40 times.
+#pragma once
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+
+#include "host/bind/bind.hpp"
+
+namespace nicol {
+
+// Thrown once the budget is spent or too much has been complained about; bind() catches it.
+struct GiveUp {};
+
+struct Limits {
+  std::size_t objects = 1'000'000;      // after expansion of shared blocks
+  std::size_t transforms = 4'000'000;   // of all objects together
+  std::size_t steps = 60'000'000;       // items looked at
+  std::size_t complaints = 200;
+  int depth = 300;                      // unions in unions, identifiers in identifiers
+  std::size_t wavelengths = 1024;
+};
+
+class Context {
+ public:
+  Context(Scene& scene_made, const BindOptions& wanted, sdl::Diagnostics& diagnostics)
+      : scene(scene_made), options(wanted), diagnostics_(diagnostics) {}
+
+  Scene& scene;
+  const BindOptions& options;
+  const Limits limits;
+  std::unordered_map<const sdl::Block*, std::optional<int>> medium_of_block;
+  std::map<std::vector<double>, int> medium_of_values;
+  std::size_t transform_count = 0;
+
+  // The same complaint about the same place (a shared block) is made once.
+  void error(Location where, const std::string& message);
+  void warning(Location where, const std::string& message);
+  void note(Location where, const std::string& message);
+  // Only the first time that `key` comes.
+  void warn_once(const std::string& key, Location where, const std::string& message);
+  void note_once(const std::string& key, Location where, const std::string& message);
+  std::size_t error_count() const { return error_count_; }
+
+  // Counts one item looked at.
+  void step(Location where);
+
+  // Counts how deep blocks lie in blocks, through identifiers too.
+  class Depth {
+   public:
+    Depth(Context& context, Location where);
+    ~Depth() { --context_.depth_; }
+    Depth(const Depth&) = delete;
+    Depth& operator=(const Depth&) = delete;
+
+   private:
+    Context& context_;
+  };
+
+ private:
+  bool is_new(Location where, const std::string& message);
+
+  sdl::Diagnostics& diagnostics_;
+  std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, std::string>> said_;
+  std::set<std::string> keys_;
+  std::size_t steps_ = 0;
+  int depth_ = 0;
+  std::size_t error_count_ = 0;
+};
+
+// A number as a person would write it.
+std::string to_text(double number);
+
+}  // namespace nicol

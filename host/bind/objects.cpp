@@ -1,0 +1,233 @@
+// Objects: unions and instances are written out, each solid and sheet gets its transforms, its medium,
+// its polarizer and its light.
+#include <algorithm>
+
+#include "host/bind/parts.hpp"
+#include "host/bind/units.hpp"
+#include "host/bind/vec.hpp"
+
+namespace nicol {
+
+namespace {
+
+// The objects around the one at hand, innermost first: they lend what it does not say itself.
+struct Chain {
+  const RawObject* raw;
+  const Chain* outer;
+};
+
+template <class Member>
+auto nearest(const Chain* chain, Member member) -> decltype(chain->raw->*member) {
+  for (; chain->outer; chain = chain->outer)
+    if (!(chain->raw->*member == std::decay_t<decltype(chain->raw->*member)>{})) break;
+  return chain->raw->*member;
+}
+
+Affines all_transforms(Context& context, const Chain* chain) {
+  Affines all;
+  const RawObject& leaf = *chain->raw;
+  if (leaf.block->name == "crystal") all.push_back(from_crystal());
+  for (; chain; chain = chain->outer)
+    all.insert(all.end(), chain->raw->transforms.begin(), chain->raw->transforms.end());
+  all.push_back(to_world(context.scene.settings.mm_per_unit));
+  context.transform_count += all.size();
+  if (context.transform_count > context.limits.transforms) {
+    context.error(leaf.block->where, "more than " + std::to_string(context.limits.transforms) +
+                                         " transforms once every object is written out");
+    throw GiveUp{};
+  }
+  return all;
+}
+
+// One emission; the polarizer, if any, lies in `plane`.
+int add_emission(Context& context, const sdl::Block& block, const RawLuminous& raw,
+                 const PolarizerPlane& plane) {
+  Emission e;
+  e.where = block.where;
+  e.one_sided = raw.one_sided;
+  e.radiance = bind_spectrum(context, raw.spectrum, block.where);
+  if (raw.polarizer) e.polarizer = bind_polarizer(context, *raw.polarizer, plane);
+  context.scene.emissions.push_back(std::move(e));
+  return static_cast<int>(context.scene.emissions.size()) - 1;
+}
+
+bool nothing_vanishes(Context& context, const PolarizerPlane& plane, Location where) {
+  if (length(plane.x) > 0 && length(plane.y) > 0) return true;
+  context.error(where, "the corners of this polygon lie on a line");
+  return false;
+}
+
+// ---- sheets ----
+
+void fill_sheet(Context& context, const Chain* chain, const PolarizerPlane& plane, Object& object) {
+  const Location where = object.where;
+  const auto& lights = nearest(chain, &RawObject::lights);
+  const sdl::Block* polarizer = nearest(chain, &RawObject::polarizer);
+  if (lights.empty() == (polarizer == nullptr)) {
+    context.error(where, lights.empty()
+                             ? "this " + object.kind + " neither shines ('luminous { }') nor "
+                               "polarizes ('polarizer { }'); nicol does not render opaque surfaces"
+                             : "a light's polarizer is written inside 'luminous { }'");
+    return;
+  }
+  if (polarizer) {
+    object.polarizer = bind_polarizer(context, *polarizer, plane);
+    return;
+  }
+  RawLuminous raw;
+  read_block(context, *lights.back(), luminous_schema(context, raw));
+  if (raw.face) context.error(lights.back()->where, "'face' names a face of a solid, not of a " + object.kind);
+  object.emission = add_emission(context, *lights.back(), raw, plane);
+}
+
+void add_polygon(Context& context, const Chain* chain, Object& object) {
+  const auto shape = polygon_shape(context, *chain->raw);
+  if (!shape) return;
+  const PolarizerPlane plane = plane_of_polygon(shape->contours[0], object.transforms);
+  if (nothing_vanishes(context, plane, object.where)) fill_sheet(context, chain, plane, object);
+  object.shape = *shape;
+  context.scene.objects.push_back(std::move(object));
+}
+
+void add_disc(Context& context, const Chain* chain, Object& object) {
+  const auto shape = disc_shape(context, *chain->raw);
+  if (!shape) return;
+  fill_sheet(context, chain, plane_of_face(shape->normal, object.transforms), object);
+  object.shape = *shape;
+  context.scene.objects.push_back(std::move(object));
+}
+
+// ---- solids ----
+
+// The face whose outward normal is nearest to `towards`; nothing if two are as near.
+std::optional<int> nearest_face(const ConvexShape& shape, Vec3 towards) {
+  int best = -1;
+  double best_cos = -2, second_cos = -2;
+  for (std::size_t i = 0; i < shape.faces.size(); ++i) {
+    const double cos_angle = dot(normalize(shape.faces[i].normal), normalize(towards));
+    if (cos_angle > best_cos) {
+      second_cos = best_cos;
+      best_cos = cos_angle;
+      best = static_cast<int>(i);
+    } else {
+      second_cos = std::max(second_cos, cos_angle);
+    }
+  }
+  if (best < 0 || best_cos <= 0 || best_cos - second_cos < 1e-9) return std::nullopt;
+  return best;
+}
+
+void add_face_light(Context& context, const sdl::Block& block, const RawLuminous& raw, int face,
+                    const ConvexShape& shape, Object& object) {
+  for (const FaceEmission& other : object.face_emissions)
+    if (other.face == face) context.error(block.where, "this face shines already");
+  const PolarizerPlane plane = plane_of_face(shape.faces[face].normal, object.transforms);
+  object.face_emissions.push_back({face, add_emission(context, block, raw, plane)});
+}
+
+void add_face_lights(Context& context, const Chain* chain, const ConvexShape& shape, Object& object) {
+  for (const sdl::Block* block : nearest(chain, &RawObject::lights)) {
+    RawLuminous raw;
+    read_block(context, *block, luminous_schema(context, raw));
+    if (!raw.face) {
+      for (std::size_t i = 0; i < shape.faces.size(); ++i)
+        add_face_light(context, *block, raw, static_cast<int>(i), shape, object);
+    } else if (const auto face = nearest_face(shape, *raw.face)) {
+      add_face_light(context, *block, raw, *face, shape, object);
+    } else {
+      context.error(block->where, "'face' is as near to two faces, or to none: name one by its outward normal");
+    }
+  }
+}
+
+void tell_mirror(Context& context, const Chain* chain, const Object& object) {
+  if (!object.medium) return;
+  const Samples& rotation = context.scene.media[*object.medium].rotation_deg_per_mm;
+  const bool turns = std::any_of(rotation.begin(), rotation.end(), [](double a) { return a != 0; });
+  double sign = 1;
+  for (const Chain* c = chain; c; c = c->outer) sign *= determinant_sign(c->raw->transforms);
+  if (sign < 0 && (turns || object.kind == "crystal"))
+    context.warn_once("mirror", object.where,
+                      "transforms mirror this " + object.kind + ", but not its medium: the rotation of "
+                      "the plane of polarization keeps its sense ('left' changes it)");
+}
+
+void fill_solid(Context& context, const Chain* chain, bool shines_all_over, Object& object) {
+  if (const sdl::Block* interior = nearest(chain, &RawObject::interior)) {
+    object.medium = bind_medium(context, *interior);
+  } else if (shines_all_over) {
+    object.medium = 0;  // nothing sees its inside
+  } else {
+    context.error(object.where, object.kind + " has no interior with an index; nicol renders "
+                                              "transparent crystals, polarizers and lights");
+  }
+  if (nearest(chain, &RawObject::polarizer))
+    context.error(object.where, "a solid does not polarize: lay a polygon or disc with 'polarizer { }' "
+                                "on its face, or write the polarizer inside 'luminous { }'");
+  tell_mirror(context, chain, object);
+}
+
+void add_convex(Context& context, const Chain* chain, Object& object) {
+  const auto shape = convex_shape(context, *chain->raw);
+  if (!shape) return;
+  add_face_lights(context, chain, *shape, object);
+  fill_solid(context, chain, object.face_emissions.size() == shape->faces.size(), object);
+  object.shape = *shape;
+  context.scene.objects.push_back(std::move(object));
+}
+
+void add_prism(Context& context, const Chain* chain, Object& object) {
+  const auto shape = prism_shape(context, *chain->raw);
+  if (!shape) return;
+  if (!nearest(chain, &RawObject::lights).empty())
+    context.error(object.where, "faces of a prism cannot shine; lay a luminous polygon on them");
+  fill_solid(context, chain, false, object);
+  object.shape = *shape;
+  context.scene.objects.push_back(std::move(object));
+}
+
+void add_leaf(Context& context, const Chain* chain) {
+  const RawObject& raw = *chain->raw;
+  if (context.scene.objects.size() >= context.limits.objects) {
+    context.error(raw.block->where, "more than " + std::to_string(context.limits.objects) +
+                                        " objects once every union and instance is written out");
+    throw GiveUp{};
+  }
+  Object object;
+  object.kind = raw.block->name;
+  object.where = raw.block->where;
+  object.transforms = all_transforms(context, chain);
+  object.optical_contact = nearest(chain, &RawObject::optical_contact);
+  if (object.kind == "polygon") return add_polygon(context, chain, object);
+  if (object.kind == "disc") return add_disc(context, chain, object);
+  if (object.kind == "prism") return add_prism(context, chain, object);
+  if (object.kind == "plane") {
+    context.error(object.where, "a plane alone is infinite, and nothing of it can be rendered; cut a solid "
+                                "from planes with 'intersection', or use 'polygon' or 'disc'");
+    return;
+  }
+  add_convex(context, chain, object);
+}
+
+void add_object(Context& context, const sdl::Block& block, const Chain* outer) {
+  const Context::Depth depth(context, block.where);
+  const std::size_t errors_before = context.error_count();
+  const RawObject raw = read_object(context, block);
+  const Chain chain{&raw, outer};
+  const bool cut = block.name == "intersection" || block.name == "difference";
+  if (block.name == "union" || (!raw.children.empty() && !cut)) {
+    if (block.name != "union" && raw.children.size() > 1)
+      context.error(block.where, "'" + block.name + "' holds more than one object; 'union' may");
+    for (const sdl::Block* child : raw.children) add_object(context, *child, &chain);
+  } else if (block.name == "object") {
+    context.error(block.where, "Expected an object in 'object', } found instead");
+  } else if (context.error_count() == errors_before) {
+    add_leaf(context, &chain);
+  }
+}
+
+}  // namespace
+
+void bind_object(Context& context, const sdl::Block& block) { add_object(context, block, nullptr); }
+
+}  // namespace nicol
