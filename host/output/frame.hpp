@@ -47,4 +47,7 @@ std::unique_ptr<FrameSink> make_sink(const std::string& path);
 // Linear sRGB of the frame times its exposure: 3 floats a pixel, rows from the top.
 std::vector<float> linear_rgb(const Frame& frame);
 
+// How many pixels a PNG cannot show: a channel outside [0, 1] by more than half a step of 8 bit, or NaN.
+std::size_t clipped_pixels(const Frame& frame);
+
 }  // namespace nicol
