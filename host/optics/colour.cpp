@@ -18,7 +18,8 @@ constexpr double cie_1931[last_nm - first_nm + 1][3] = {
 
 Triple times(const Matrix& m, const Triple& v) {
   Triple product{};
-  for (int row = 0; row < 3; ++row) product[row] = m[row][0] * v[0] + m[row][1] * v[1] + m[row][2] * v[2];
+  for (int row = 0; row < 3; ++row)
+    product[row] = m[row][0] * v[0] + m[row][1] * v[1] + m[row][2] * v[2];
   return product;
 }
 
@@ -36,8 +37,8 @@ Matrix inverse(const Matrix& m) {
 
 Triple xyz_of_chromaticity(double x, double y) { return {x / y, 1, (1 - x - y) / y}; }
 
-// XYZ of linear sRGB: columns are the primaries, scaled so that (1, 1, 1) is the white (SMPTE RP 177-1993,
-// with the chromaticities of IEC 61966-2-1:1999, table 1).
+// XYZ of linear sRGB: columns are the primaries, scaled so that (1, 1, 1) is the white (SMPTE RP
+// 177-1993, with the chromaticities of IEC 61966-2-1:1999, table 1).
 Matrix make_xyz_matrix() {
   const Triple red = xyz_of_chromaticity(0.64, 0.33), green = xyz_of_chromaticity(0.30, 0.60),
                blue = xyz_of_chromaticity(0.15, 0.06), white = xyz_of_chromaticity(0.3127, 0.3290);
@@ -74,7 +75,8 @@ std::vector<double> wavelength_weights(const std::vector<double>& lambda_nm) {
   if (count < 2) return std::vector<double>(count, 1);
   std::vector<double> weight_nm(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double below = lambda_nm[i == 0 ? 0 : i - 1], above = lambda_nm[std::min(i + 1, count - 1)];
+    const double below = lambda_nm[i == 0 ? 0 : i - 1],
+                 above = lambda_nm[std::min(i + 1, count - 1)];
     weight_nm[i] = (above - below) / 2;
   }
   return weight_nm;

@@ -8,7 +8,8 @@
 namespace nicol {
 
 // A spectral radiance by name or numbers. Scaled so that Y = 1 at scale 1 (a colour of POV-Ray: so that
-// the linear sRGB of the rendered light is the colour).
+// the linear sRGB of the rendered light is the colour, with D65 as these wavelengths render it for white: within
+// 5e-4 of (1, 1, 1) at steps of 5 nm, but (1.014, 0.995, 1.009) at steps of 20 nm).
 struct SpectrumFormula {
   enum class Kind {
     d65, a, e,       // CIE illuminants D65 and A (CIE 15:2018), equal energy

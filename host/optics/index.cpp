@@ -1,6 +1,6 @@
-// Refractive index by formula. Inside this file wavelengths are in um, as the formulas are published.
-// Numbered formulas: M. N. Polyanskiy, refractiveindex.info database, "Dispersion formulas"; also
-// Sci. Data 11, 94 (2024).
+// Refractive index by formula. Inside this file wavelengths are in um, as the formulas are
+// published. Numbered formulas: M. N. Polyanskiy, refractiveindex.info database, "Dispersion
+// formulas"; also Sci. Data 11, 94 (2024).
 #include <cmath>
 #include <limits>
 
@@ -39,7 +39,8 @@ double formula_7(const Coefficients& c, double l) {
   double n = c[0];
   if (c.size() > 1) n += c[1] * big_l;
   if (c.size() > 2) n += c[2] * big_l * big_l;
-  for (std::size_t i = 3; i < c.size(); ++i) n += c[i] * std::pow(l * l, static_cast<double>(i - 2));
+  for (std::size_t i = 3; i < c.size(); ++i)
+    n += c[i] * std::pow(l * l, static_cast<double>(i - 2));
   return n;
 }
 
@@ -61,9 +62,11 @@ double numbered_index(int number, const Coefficients& c, double l) {
   const auto power = [l](double a, double exponent) { return a * std::pow(l, exponent); };
   switch (number) {
     case 1:  // Sellmeier: n^2 - 1 = C1 + sum C_2i l^2 / (l^2 - C_2i+1^2)
-      return std::sqrt(sum_of_pairs(1 + c[0], c, [l2](double b, double l0) { return b * l2 / (l2 - l0 * l0); }));
+      return std::sqrt(
+          sum_of_pairs(1 + c[0], c, [l2](double b, double l0) { return b * l2 / (l2 - l0 * l0); }));
     case 2:  // Sellmeier-2: n^2 - 1 = C1 + sum C_2i l^2 / (l^2 - C_2i+1)
-      return std::sqrt(sum_of_pairs(1 + c[0], c, [l2](double b, double l02) { return b * l2 / (l2 - l02); }));
+      return std::sqrt(
+          sum_of_pairs(1 + c[0], c, [l2](double b, double l02) { return b * l2 / (l2 - l02); }));
     case 3:  // polynomial: n^2 = C1 + sum C_2i l^C_2i+1
       return std::sqrt(sum_of_pairs(c[0], c, power));
     case 4: return formula_4(c, l);
@@ -115,7 +118,8 @@ double refractive_index(const IndexFormula& formula, double lambda_nm) {
   return nan_value;
 }
 
-// Ghosh 1999, table 1: n^2 = A + B l^2/(l^2 - C) + D l^2/(l^2 - E), which is formula 2 with C1 = A - 1.
+// Ghosh 1999, table 1: n^2 = A + B l^2/(l^2 - C) + D l^2/(l^2 - E), which is formula 2 with C1 = A
+// - 1.
 IndexFormula calcite_ordinary() {
   IndexFormula formula;
   formula.kind = IndexFormula::Kind::numbered;

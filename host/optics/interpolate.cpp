@@ -25,8 +25,9 @@ std::vector<double> secants(const Points& points) {
   return slope;
 }
 
-// Slopes at the points: means of the neighbouring secants, 0 at an extremum, then drawn back into the
-// circle of radius 3 in which the cubic is monotone (Fritsch & Carlson 1980, section 4, region S2).
+// Slopes at the points: means of the neighbouring secants, 0 at an extremum, then drawn back into
+// the circle of radius 3 in which the cubic is monotone (Fritsch & Carlson 1980, section 4, region
+// S2).
 std::vector<double> monotone_tangents(const std::vector<double>& secant) {
   const std::size_t last = secant.size();
   std::vector<double> tangent(last + 1);
@@ -70,14 +71,16 @@ double piecewise_linear(const Points& points, double lambda_nm, double outside) 
 }
 
 std::string check_points(const Points& points, double least) {
-  if (points.size() < 2) return "a table takes 2 or more points, " + std::to_string(points.size()) + " given";
+  if (points.size() < 2)
+    return "a table takes 2 or more points, " + std::to_string(points.size()) + " given";
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string which = "point " + std::to_string(i + 1) + " of the table ";
     const auto& [lambda_nm, value] = points[i];
     if (!std::isfinite(lambda_nm) || !std::isfinite(value)) return which + "is not finite";
     if (lambda_nm <= 0) return which + "has no positive wavelength";
     if (value < least) return which + (least == 0 ? "is negative" : "is too small");
-    if (i > 0 && lambda_nm <= points[i - 1].first) return which + "is not at a longer wavelength than the one before";
+    if (i > 0 && lambda_nm <= points[i - 1].first)
+      return which + "is not at a longer wavelength than the one before";
   }
   return "";
 }

@@ -15,7 +15,8 @@ std::string all_finite(const Coefficients& c) {
   return "";
 }
 
-std::string wanted(bool fits, const std::string& formula, const std::string& rule, const Coefficients& c) {
+std::string wanted(bool fits, const std::string& formula, const std::string& rule,
+                   const Coefficients& c) {
   if (!fits) return formula + " takes " + rule + ", " + std::to_string(c.size()) + " given";
   return all_finite(c);
 }
@@ -24,8 +25,11 @@ std::string check_numbered(int number, const Coefficients& c) {
   const std::string name = "formula " + std::to_string(number);
   const std::size_t count = c.size();
   switch (number) {
-    case 1: case 2: case 3: case 5: case 6:
-      return wanted(count % 2 == 1, name, "1 + 2m coefficients", c);
+    case 1:
+    case 2:
+    case 3:
+    case 5:
+    case 6: return wanted(count % 2 == 1, name, "1 + 2m coefficients", c);
     case 4:
       return wanted(count == 1 || count == 5 || (count >= 9 && count % 2 == 1), name,
                     "1, 5 or 9 + 2m coefficients", c);
@@ -65,7 +69,8 @@ std::string check(const IndexFormula& formula) {
     }
     case Kind::cauchy: return wanted(!c.empty(), "the Cauchy formula", "1 or more coefficients", c);
     case Kind::sellmeier:
-      return wanted(!c.empty() && c.size() % 2 == 0, "the Sellmeier formula", "2m coefficients B, C", c);
+      return wanted(!c.empty() && c.size() % 2 == 0, "the Sellmeier formula",
+                    "2m coefficients B, C", c);
     case Kind::numbered: return check_numbered(formula.number, c);
     case Kind::table: return check_points(formula.points, 0);
     case Kind::povray: return check_povray(c);
@@ -83,7 +88,8 @@ std::string check(const RotationFormula& formula) {
     case Kind::constant: return wanted(c.size() == 1, "a constant rotation", "1 coefficient", c);
     case Kind::biot: return wanted(!c.empty(), "Biot's formula", "1 or more coefficients", c);
     case Kind::drude: return wanted(c.size() >= 2, "Drude's formula", "2 or more coefficients", c);
-    case Kind::chandrasekhar: return wanted(c.size() == 2, "Chandrasekhar's formula", "2 coefficients k, lambda0", c);
+    case Kind::chandrasekhar:
+      return wanted(c.size() == 2, "Chandrasekhar's formula", "2 coefficients k, lambda0", c);
     case Kind::table: return check_points(formula.points, -HUGE_VAL);
   }
   return "unknown kind of formula";

@@ -71,10 +71,12 @@ bool scale_to(const Grid& grid, double wanted, Samples& radiance) {
 std::string sample_line(const Grid& grid, double line_nm, Samples& radiance) {
   const auto& lambda_nm = grid.lambda_nm;
   const auto distance = [line_nm](double l) { return std::abs(l - line_nm); };
-  const auto nearest = std::min_element(lambda_nm.begin(), lambda_nm.end(),
-                                        [&](double a, double b) { return distance(a) < distance(b); });
+  const auto nearest =
+      std::min_element(lambda_nm.begin(), lambda_nm.end(),
+                       [&](double a, double b) { return distance(a) < distance(b); });
   const auto i = static_cast<std::size_t>(nearest - lambda_nm.begin());
-  const double reach_nm = lambda_nm.size() == 1 ? 0.5 : grid.weight_nm[i];  // half a step beyond the ends
+  const double reach_nm =
+      lambda_nm.size() == 1 ? 0.5 : grid.weight_nm[i];  // half a step beyond the ends
   if ((i == 0 || i + 1 == lambda_nm.size()) && distance(*nearest) > reach_nm)
     return "the line lies outside the wavelengths of the scene";
   radiance.assign(lambda_nm.size(), 0);
@@ -83,15 +85,18 @@ std::string sample_line(const Grid& grid, double line_nm, Samples& radiance) {
 }
 
 // ---- a spectrum for a colour ----
-// D65 times a mix of three smooth bands that add up to 1. The crossings, at 488 and 591 nm, and their
-// widths were chosen so that every colour of sRGB has positive amounts of the three, at steps of 20 nm too.
+// D65 times a mix of three smooth bands that add up to 1. The crossings, at 488 and 591 nm, and
+// their widths were chosen so that every colour of sRGB has positive amounts of the three, at steps
+// of 20 nm too.
 double smooth_step(double lambda_nm, double centre_nm, double half_width_nm) {
-  const double t = std::clamp((lambda_nm - centre_nm + half_width_nm) / (2 * half_width_nm), 0.0, 1.0);
+  const double t =
+      std::clamp((lambda_nm - centre_nm + half_width_nm) / (2 * half_width_nm), 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
 
 Triple bands(double lambda_nm) {
-  const double above_blue = smooth_step(lambda_nm, 488, 25), above_green = smooth_step(lambda_nm, 591, 22);
+  const double above_blue = smooth_step(lambda_nm, 488, 25),
+               above_green = smooth_step(lambda_nm, 591, 22);
   return {above_green, above_blue - above_green, 1 - above_blue};
 }
 
@@ -105,14 +110,17 @@ std::optional<Triple> solve(const std::array<Triple, 3>& columns, const Triple& 
   const double volume = det(columns[0], columns[1], columns[2]);
   const double bound = length(columns[0]) * length(columns[1]) * length(columns[2]);
   if (!(std::abs(volume) > 1e-3 * bound)) return std::nullopt;
-  return Triple{det(right, columns[1], columns[2]) / volume, det(columns[0], right, columns[2]) / volume,
+  return Triple{det(right, columns[1], columns[2]) / volume,
+                det(columns[0], right, columns[2]) / volume,
                 det(columns[0], columns[1], right) / volume};
 }
 
-// Amounts of the three bands whose light has the linear sRGB `rgb` on this grid. White is D65 as the grid
-// renders it (at steps of 20 nm that is (1.014, 0.995, 1.009), not (1, 1, 1)), channel by channel, so that
-// greys are exactly D65. Nothing if the grid is too coarse to tell three colours apart.
-std::optional<Triple> band_amounts(const Grid& grid, const Samples& white_radiance, const Triple& rgb) {
+// Amounts of the three bands whose light has the linear sRGB `rgb` on this grid. White is D65 as
+// the grid renders it (at steps of 20 nm that is (1.014, 0.995, 1.009), not (1, 1, 1)), channel by
+// channel, so that greys are exactly D65. Nothing if the grid is too coarse to tell three colours
+// apart.
+std::optional<Triple> band_amounts(const Grid& grid, const Samples& white_radiance,
+                                   const Triple& rgb) {
   const Observer observer(grid.lambda_nm, grid.weight_nm);
   std::array<Triple, 3> band_rgb{};
   for (int band = 0; band < 3; ++band) {
@@ -121,18 +129,20 @@ std::optional<Triple> band_amounts(const Grid& grid, const Samples& white_radian
     band_rgb[band] = linear_srgb(observer.xyz(radiance.data()));
   }
   Triple wanted{};
-  for (int k = 0; k < 3; ++k) wanted[k] = rgb[k] * (band_rgb[0][k] + band_rgb[1][k] + band_rgb[2][k]);
+  for (int k = 0; k < 3; ++k)
+    wanted[k] = rgb[k] * (band_rgb[0][k] + band_rgb[1][k] + band_rgb[2][k]);
   return solve(band_rgb, wanted);
 }
 
-// Radiance of a colour: luminance kept where bands with negative amounts had to be left out, and D65 of
-// the colour's luminance where the wavelengths are too few for colours.
+// Radiance of a colour: luminance kept where bands with negative amounts had to be left out, and
+// D65 of the colour's luminance where the wavelengths are too few for colours.
 bool sample_rgb(const Grid& grid, const Triple& rgb, double scale, Samples& radiance) {
   const double y = xyz_of_linear_srgb(rgb)[1] * scale;
   radiance = sampled(grid, d65);
   if (!scale_to(grid, 1, radiance)) return false;
   const bool grey = rgb[0] == rgb[1] && rgb[1] == rgb[2];
-  const auto amounts = grid.lambda_nm.size() < 3 || grey ? std::nullopt : band_amounts(grid, radiance, rgb);
+  const auto amounts =
+      grid.lambda_nm.size() < 3 || grey ? std::nullopt : band_amounts(grid, radiance, rgb);
   if (!amounts) return scale_to(grid, y, radiance);
   bool clamped = false;
   for (std::size_t i = 0; i < radiance.size(); ++i) {
@@ -149,7 +159,8 @@ bool sample_rgb(const Grid& grid, const Triple& rgb, double scale, Samples& radi
 
 std::string check_grid(const Grid& grid) {
   if (grid.lambda_nm.empty()) return "the scene has no wavelengths";
-  if (grid.lambda_nm.size() != grid.weight_nm.size()) return "wavelengths and their weights differ in number";
+  if (grid.lambda_nm.size() != grid.weight_nm.size())
+    return "wavelengths and their weights differ in number";
   return "";
 }
 
@@ -163,11 +174,13 @@ std::string check_formula(const SpectrumFormula& formula) {
   };
   for (const double number : formula.numbers)
     if (!std::isfinite(number)) return "a number of the spectrum is not finite";
-  if (!(formula.scale >= 0) || !std::isfinite(formula.scale)) return "a light's strength must be 0 or more";
+  if (!(formula.scale >= 0) || !std::isfinite(formula.scale))
+    return "a light's strength must be 0 or more";
   switch (formula.kind) {
     case Kind::blackbody: {
       const std::string problem = takes("a black body", 1);
-      return problem.empty() && formula.numbers[0] <= 0 ? "a temperature must be positive" : problem;
+      return problem.empty() && formula.numbers[0] <= 0 ? "a temperature must be positive"
+                                                        : problem;
     }
     case Kind::line: return takes("a spectral line", 1);
     case Kind::rgb: {
@@ -184,8 +197,8 @@ std::string check_formula(const SpectrumFormula& formula) {
 
 }  // namespace
 
-Samples sample_spectrum(const SpectrumFormula& formula, const Samples& lambda_nm, const Samples& weight_nm,
-                        std::string& error) {
+Samples sample_spectrum(const SpectrumFormula& formula, const Samples& lambda_nm,
+                        const Samples& weight_nm, std::string& error) {
   using Kind = SpectrumFormula::Kind;
   const Grid grid{lambda_nm, weight_nm};
   error = check_grid(grid);
@@ -205,8 +218,8 @@ Samples sample_spectrum(const SpectrumFormula& formula, const Samples& lambda_nm
       break;
     case Kind::line: error = sample_line(grid, formula.numbers[0], radiance); break;
     case Kind::rgb:
-      visible = sample_rgb(grid, {formula.numbers[0], formula.numbers[1], formula.numbers[2]}, formula.scale,
-                           radiance);
+      visible = sample_rgb(grid, {formula.numbers[0], formula.numbers[1], formula.numbers[2]},
+                           formula.scale, radiance);
       break;
   }
   if (!error.empty()) return {};

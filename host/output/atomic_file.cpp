@@ -34,8 +34,10 @@ void refuse_impossible_targets(const std::string& path, const std::string& targe
   std::error_code error;
   const auto status = fs::status(target, error);
   if (fs::is_directory(status)) cannot_write(path, "it is a folder");
-  if (fs::exists(status) && !fs::is_regular_file(status)) cannot_write(path, "it is not an ordinary file");
-  if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) cannot_write(path, std::strerror(errno));
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    cannot_write(path, "it is not an ordinary file");
+  if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0)
+    cannot_write(path, std::strerror(errno));
   const std::string folder = folder_of(target);
   if (!fs::exists(folder, error)) cannot_write(path, "there is no folder " + folder);
   if (!fs::is_directory(folder, error)) cannot_write(path, folder + " is not a folder");

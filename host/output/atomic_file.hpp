@@ -1,5 +1,6 @@
-// A file that appears whole or not at all: written under a temporary name in the folder of its target,
-// made durable, then renamed over it. Not committed, it leaves nothing behind and the old file untouched.
+// A file that appears whole or not at all: written under a temporary name in the folder of its
+// target, made durable, then renamed over it. Not committed, it leaves nothing behind and the old
+// file untouched.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,7 @@
 // Spectral, polarized OpenEXR in one part.
-// Layout: Fichet, Pacanowski & Wilkie 2021, "An OpenEXR layout for spectral images", JCGT 10(3): channels
-// S0..S3 per wavelength, `S0.580,000000nm` with a decimal comma; R, G, B beside them for other readers.
+// Layout: Fichet, Pacanowski & Wilkie 2021, "An OpenEXR layout for spectral images", JCGT 10(3):
+// channels S0..S3 per wavelength, `S0.580,000000nm` with a decimal comma; R, G, B beside them for
+// other readers.
 #include <ImfAttribute.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -26,7 +27,9 @@ namespace {
 class ExrStream : public Imf::OStream {
  public:
   ExrStream(AtomicFile& file, const std::string& path) : OStream(path.c_str()), file_(file) {}
-  void write(const char bytes[], int count) override { file_.write(bytes, static_cast<std::size_t>(count)); }
+  void write(const char bytes[], int count) override {
+    file_.write(bytes, static_cast<std::size_t>(count));
+  }
   std::uint64_t tellp() override { return file_.position(); }
   void seekp(std::uint64_t position) override { file_.seek(position); }
 
@@ -38,7 +41,8 @@ class ExrStream : public Imf::OStream {
 std::string channel_name(int component, double lambda_nm) {
   const long long femtometres = std::llround(lambda_nm * 1e6);
   char name[64];
-  std::snprintf(name, sizeof name, "S%d.%lld,%06lldnm", component, femtometres / 1000000, femtometres % 1000000);
+  std::snprintf(name, sizeof name, "S%d.%lld,%06lldnm", component, femtometres / 1000000,
+                femtometres % 1000000);
   return name;
 }
 
@@ -69,7 +73,8 @@ class Layout {
   void add(const std::string& name, const float* first, std::size_t stride) {
     header_.channels().insert(name, Imf::Channel(Imf::FLOAT));
     auto* base = const_cast<char*>(reinterpret_cast<const char*>(first));  // the library only reads
-    pixels_.insert(name, Imf::Slice(Imf::FLOAT, base, stride * sizeof(float), stride * width_ * sizeof(float)));
+    pixels_.insert(name, Imf::Slice(Imf::FLOAT, base, stride * sizeof(float),
+                                    stride * width_ * sizeof(float)));
   }
 
   void describe(const Frame& frame) {
@@ -79,7 +84,8 @@ class Layout {
     set("spectralLayoutVersion", "1.0");
     set("emissiveUnits", "W.m^-2.sr^-1");
     set("polarisationHandedness", "right");
-    Imf::addChromaticities(header_, Imf::Chromaticities());  // the default is Rec. 709, sRGB's primaries
+    Imf::addChromaticities(header_,
+                           Imf::Chromaticities());  // the default is Rec. 709, sRGB's primaries
     for (const auto& [key, value] : notes_of(frame)) set(attribute_name(key), value);
   }
 

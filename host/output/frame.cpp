@@ -37,7 +37,8 @@ std::vector<float> linear_rgb(const Frame& frame) {
     for (std::size_t i = 0; i < weights.size(); ++i) {
       const float* radiance = frame.component(0, i) + start;
       for (std::size_t x = 0; x < width; ++x)
-        for (std::size_t k = 0; k < 3; ++k) row[3 * x + k] += weights[i][k] * static_cast<double>(radiance[x]);
+        for (std::size_t k = 0; k < 3; ++k)
+          row[3 * x + k] += weights[i][k] * static_cast<double>(radiance[x]);
     }
     std::transform(row.begin(), row.end(), rgb.begin() + static_cast<std::ptrdiff_t>(3 * start),
                    [](double value) { return static_cast<float>(value); });
@@ -47,7 +48,8 @@ std::vector<float> linear_rgb(const Frame& frame) {
 
 std::size_t clipped_pixels(const Frame& frame) {
   const double half_step = 0.5 / 255;
-  const double least = -half_step / 12.92, most = 1 + half_step * 2.4 / 1.055;  // slopes of sRGB at 0 and 1
+  const double least = -half_step / 12.92,
+               most = 1 + half_step * 2.4 / 1.055;  // slopes of sRGB at 0 and 1
   const auto rgb = linear_rgb(frame);
   std::size_t count = 0;
   for (std::size_t i = 0; i < rgb.size(); i += 3) {
@@ -59,9 +61,11 @@ std::size_t clipped_pixels(const Frame& frame) {
 
 std::vector<std::pair<std::string, std::string>> notes_of(const Frame& frame) {
   auto notes = frame.how;
-  const auto done = std::count_if(frame.row_done.begin(), frame.row_done.end(), [](auto d) { return d != 0; });
+  const auto done =
+      std::count_if(frame.row_done.begin(), frame.row_done.end(), [](auto d) { return d != 0; });
   if (!frame.row_done.empty() && done < frame.height)
-    notes.emplace_back("partial", std::to_string(done) + " of " + std::to_string(frame.height) + " rows");
+    notes.emplace_back("partial",
+                       std::to_string(done) + " of " + std::to_string(frame.height) + " rows");
   return notes;
 }
 

@@ -1,4 +1,5 @@
-// PNG of 8 bit per channel in sRGB. Colours outside the gamut are clipped: clipped_pixels() counts them.
+// PNG of 8 bit per channel in sRGB. Colours outside the gamut are clipped: clipped_pixels() counts
+// them.
 #include <png.h>
 
 #include <algorithm>
@@ -28,8 +29,10 @@ std::string keyword(const std::string& key) {
   std::string word;
   for (const char c : key) {
     const bool printable = c > ' ' && c <= '~';
-    if (printable) word += c;
-    else if (!word.empty() && word.back() != '_') word += '_';
+    if (printable)
+      word += c;
+    else if (!word.empty() && word.back() != '_')
+      word += '_';
   }
   return word.empty() ? "note" : word.substr(0, 79);
 }
@@ -37,7 +40,8 @@ std::string keyword(const std::string& key) {
 std::vector<png_text> text_chunks(const Notes& keywords_and_values) {
   std::vector<png_text> chunks;
   for (const auto& [key, value] : keywords_and_values) {
-    const bool ascii = std::all_of(value.begin(), value.end(), [](char c) { return (c & 0x80) == 0; });
+    const bool ascii =
+        std::all_of(value.begin(), value.end(), [](char c) { return (c & 0x80) == 0; });
     png_text chunk{};
     chunk.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
     chunk.key = const_cast<char*>(key.c_str());
@@ -71,14 +75,16 @@ void on_bytes(png_structp png, png_bytep bytes, std::size_t count) {
 void fill(png_structp png, png_infop info, const Frame& frame, const std::vector<png_byte>& pixels,
           const std::vector<png_text>& texts) {
   if (setjmp(png_jmpbuf(png))) return;
-  const auto width = static_cast<png_uint_32>(frame.width), height = static_cast<png_uint_32>(frame.height);
-  png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-               PNG_FILTER_TYPE_DEFAULT);
+  const auto width = static_cast<png_uint_32>(frame.width),
+             height = static_cast<png_uint_32>(frame.height);
+  png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_compression_level(png, 3);
   png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   if (!texts.empty()) png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
   png_write_info(png, info);
-  for (png_uint_32 y = 0; y < height; ++y) png_write_row(png, pixels.data() + std::size_t{3} * width * y);
+  for (png_uint_32 y = 0; y < height; ++y)
+    png_write_row(png, pixels.data() + std::size_t{3} * width * y);
   png_write_end(png, info);
 }
 
@@ -119,6 +125,8 @@ class PngSink : public FrameSink {
 
 }  // namespace
 
-std::unique_ptr<FrameSink> make_png_sink(const std::string& path) { return std::make_unique<PngSink>(path); }
+std::unique_ptr<FrameSink> make_png_sink(const std::string& path) {
+  return std::make_unique<PngSink>(path);
+}
 
 }  // namespace nicol

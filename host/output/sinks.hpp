@@ -10,10 +10,12 @@ namespace nicol {
 // piz: smallest and quickest of the lossless ways; none: for readers without it.
 enum class ExrPacking { piz, none };
 
-std::unique_ptr<FrameSink> make_exr_sink(const std::string& path, ExrPacking packing = ExrPacking::piz);
+std::unique_ptr<FrameSink> make_exr_sink(const std::string& path,
+                                         ExrPacking packing = ExrPacking::piz);
 std::unique_ptr<FrameSink> make_png_sink(const std::string& path);
 
-// Frame::how and, if rows are missing, {"partial", "N of M rows"}: what both formats tell of the making.
+// Frame::how and, if rows are missing, {"partial", "N of M rows"}: what both formats tell of the
+// making.
 std::vector<std::pair<std::string, std::string>> notes_of(const Frame& frame);
 
 // Throws OutputError for a picture without pixels, or with arrays that do not fit its size.

@@ -32,7 +32,8 @@ std::array<double, 3> xyz_of(const SpectrumFormula& formula, const std::vector<d
   return Observer(lambda_nm, weight_nm).xyz(radiance.data());
 }
 
-void check_close(const std::array<double, 3>& value, const std::array<double, 3>& wanted, double tolerance) {
+void check_close(const std::array<double, 3>& value, const std::array<double, 3>& wanted,
+                 double tolerance) {
   for (int k = 0; k < 3; ++k) {
     CAPTURE(k);
     CAPTURE(value[k]);
@@ -50,7 +51,8 @@ std::array<double, 3> xyz_of_turned_light(double path_mm, double step_nm) {
   quartz.kind = RotationFormula::Kind::chandrasekhar;
   quartz.coefficients = {7.19, 0.0926283};
   for (std::size_t i = 0; i < radiance.size(); ++i) {
-    const double turn_rad = rotation_deg_per_mm(quartz, lambda_nm[i]) * path_mm * std::acos(-1.0) / 180;
+    const double turn_rad =
+        rotation_deg_per_mm(quartz, lambda_nm[i]) * path_mm * std::acos(-1.0) / 180;
     radiance[i] *= std::cos(turn_rad) * std::cos(turn_rad);
   }
   return Observer(lambda_nm, weight_nm).xyz(radiance.data());
@@ -63,8 +65,10 @@ TEST_CASE("colour matching functions") {  // CIE 018:2019
   check_close(colour_matching(450), {0.3362, 0.038, 1.77211}, 1e-12);
   check_close(colour_matching(600), {1.0622, 0.631, 0.0008}, 1e-12);
   check_close(colour_matching(830), {1.251141e-6, 4.5181e-7, 0}, 1e-15);
-  const auto low = colour_matching(500), high = colour_matching(501), middle = colour_matching(500.5);
-  for (int k = 0; k < 3; ++k) CHECK(middle[k] == doctest::Approx((low[k] + high[k]) / 2).epsilon(1e-12));
+  const auto low = colour_matching(500), high = colour_matching(501),
+             middle = colour_matching(500.5);
+  for (int k = 0; k < 3; ++k)
+    CHECK(middle[k] == doctest::Approx((low[k] + high[k]) / 2).epsilon(1e-12));
   check_close(colour_matching(359.9), {0, 0, 0}, 0);
   check_close(colour_matching(830.1), {0, 0, 0}, 0);
 }
@@ -92,7 +96,8 @@ TEST_CASE("a black body of 2856 K is illuminant A") {  // CIE 015:2018: 2848 K w
   const auto visible = steps(360, 830, 5);
   check_close(xyz_of(of_kind(SpectrumFormula::Kind::blackbody, {2855.5}), visible),
               xyz_of(of_kind(SpectrumFormula::Kind::a), visible), 1e-4);
-  const auto xyz = xyz_of(of_kind(SpectrumFormula::Kind::blackbody, {6500}), visible);  // on the Planckian locus
+  const auto xyz =
+      xyz_of(of_kind(SpectrumFormula::Kind::blackbody, {6500}), visible);  // on the Planckian locus
   CHECK(xyz[0] / (xyz[0] + xyz[1] + xyz[2]) == doctest::Approx(0.3135).epsilon(3e-4));
   CHECK(xyz[1] / (xyz[0] + xyz[1] + xyz[2]) == doctest::Approx(0.3237).epsilon(3e-4));
 }
@@ -128,19 +133,22 @@ TEST_CASE("weights of wavelengths add up to their range") {
   CHECK(wavelength_weights({400, 420, 460}) == std::vector<double>{10, 30, 20});
 }
 
-// Kozlov & Debelov 2014, figures 5 and 6: colours along the axis of the cube, parallel polarizers. XYZ is over
-// Y of D65. The colours (0.89, 0.73, 0.71) and (1.04, 0.84, 0.63) are encoded sRGB. Steps of 20 nm, as the
-// paper took them, are off by up to 0.005.
+// Kozlov & Debelov 2014, figures 5 and 6: colours along the axis of the cube, parallel polarizers.
+// XYZ is over Y of D65. The colours (0.89, 0.73, 0.71) and (1.04, 0.84, 0.63) are encoded sRGB.
+// Steps of 20 nm, as the paper took them, are off by up to 0.005.
 TEST_CASE("rotatory dispersion makes the cube of 16 mm reddish, that of 8 mm yellowish") {
   check_close(xyz_of_turned_light(16, 5), {0.572, 0.544, 0.512}, 5e-4);
   check_close(xyz_of_turned_light(8, 5), {0.757, 0.740, 0.438}, 5e-4);
   check_close(xyz_of_turned_light(16, 20), {0.5758, 0.5468, 0.5134}, 1e-4);
   check_close(xyz_of_turned_light(8, 20), {0.7617, 0.7403, 0.4417}, 1e-4);
-  check_close(xyz_of_turned_light(0, 20), xyz_of(of_kind(SpectrumFormula::Kind::d65), steps(380, 780, 20)), 1e-12);
+  check_close(xyz_of_turned_light(0, 20),
+              xyz_of(of_kind(SpectrumFormula::Kind::d65), steps(380, 780, 20)), 1e-12);
   const auto reddish = linear_srgb(xyz_of_turned_light(16, 5));
-  check_close({srgb_encode(reddish[0]), srgb_encode(reddish[1]), srgb_encode(reddish[2])}, {0.89, 0.73, 0.71}, 5e-3);
+  check_close({srgb_encode(reddish[0]), srgb_encode(reddish[1]), srgb_encode(reddish[2])},
+              {0.89, 0.73, 0.71}, 5e-3);
   const auto yellowish = linear_srgb(xyz_of_turned_light(8, 5));
-  CHECK(1.055 * std::pow(yellowish[0], 1 / 2.4) - 0.055 == doctest::Approx(1.04).epsilon(5e-3));  // out of gamut
+  CHECK(1.055 * std::pow(yellowish[0], 1 / 2.4) - 0.055 ==
+        doctest::Approx(1.04).epsilon(5e-3));  // out of gamut
   CHECK(srgb_encode(yellowish[1]) == doctest::Approx(0.84).epsilon(6e-3));
   CHECK(srgb_encode(yellowish[2]) == doctest::Approx(0.63).epsilon(8e-3));
 }

@@ -9,7 +9,8 @@ using namespace nicol;
 
 namespace {
 
-RotationFormula rotation(RotationFormula::Kind kind, std::vector<double> coefficients, double scale = 1) {
+RotationFormula rotation(RotationFormula::Kind kind, std::vector<double> coefficients,
+                         double scale = 1) {
   RotationFormula formula;
   formula.kind = kind;
   formula.coefficients = std::move(coefficients);
@@ -38,7 +39,8 @@ TEST_CASE("the strong crystal of Kozlov & Debelov 2014 turns by about 300 right 
 }
 
 TEST_CASE("Drude's and Biot's formulas") {
-  // Lowry & Coode-Adams 1927, Phil. Trans. R. Soc. A 226, 391: two terms and a constant for quartz, 20 degrees C
+  // Lowry & Coode-Adams 1927, Phil. Trans. R. Soc. A 226, 391: two terms and a constant for quartz,
+  // 20 degrees C
   const auto quartz = rotation(Kind::drude, {9.5639, 0.0127493, -2.3113, 0.000974, -0.1905});
   CHECK(rotation_deg_per_mm(quartz, 589.3) == doctest::Approx(21.724).epsilon(1e-4));
   CHECK(rotation_deg_per_mm(quartz, 435.83) == doctest::Approx(41.548).epsilon(1e-4));
@@ -62,7 +64,8 @@ TEST_CASE("constant, none and table") {
 TEST_CASE("wrong coefficients of a rotation are named") {
   CHECK(check(rotation(Kind::chandrasekhar, {7.19})) ==
         "Chandrasekhar's formula takes 2 coefficients k, lambda0, 1 given");
-  CHECK(check(rotation(Kind::drude, {7})) == "Drude's formula takes 2 or more coefficients, 1 given");
+  CHECK(check(rotation(Kind::drude, {7})) ==
+        "Drude's formula takes 2 or more coefficients, 1 given");
   CHECK(check(rotation(Kind::biot, {})) == "Biot's formula takes 1 or more coefficients, 0 given");
   CHECK(check(rotation(Kind::constant, {1}, NAN)) == "the scale of the rotation is not finite");
 }

@@ -39,7 +39,8 @@ std::vector<double> sampled(const SpectrumFormula& formula, const std::vector<do
   return radiance;
 }
 
-std::array<double, 3> xyz(const std::vector<double>& lambda_nm, const std::vector<double>& radiance) {
+std::array<double, 3> xyz(const std::vector<double>& lambda_nm,
+                          const std::vector<double>& radiance) {
   return Observer(lambda_nm, wavelength_weights(lambda_nm)).xyz(radiance.data());
 }
 
@@ -54,11 +55,15 @@ std::string error_of(const SpectrumFormula& formula, const std::vector<double>& 
 TEST_CASE("every light has the luminance of its scale on the grid of the scene") {
   SpectrumFormula lamp = of_kind(Kind::table, {}, 0.7);
   lamp.points = {{300, 1}, {500, 3}, {900, 2}};
-  const std::vector<SpectrumFormula> lights{of_kind(Kind::d65, {}, 0.4), of_kind(Kind::a), of_kind(Kind::e, {}, 3),
-                                            of_kind(Kind::blackbody, {1200}), of_kind(Kind::line, {580}, 2), lamp};
-  for (const auto& lambda_nm : {steps(380, 780, 20), steps(380, 780, 5), steps(580, 580, 1), steps(570, 590, 10)})
+  const std::vector<SpectrumFormula> lights{
+      of_kind(Kind::d65, {}, 0.4),   of_kind(Kind::a),
+      of_kind(Kind::e, {}, 3),       of_kind(Kind::blackbody, {1200}),
+      of_kind(Kind::line, {580}, 2), lamp};
+  for (const auto& lambda_nm :
+       {steps(380, 780, 20), steps(380, 780, 5), steps(580, 580, 1), steps(570, 590, 10)})
     for (const auto& light : lights)
-      CHECK(xyz(lambda_nm, sampled(light, lambda_nm))[1] == doctest::Approx(light.scale).epsilon(1e-12));
+      CHECK(xyz(lambda_nm, sampled(light, lambda_nm))[1] ==
+            doctest::Approx(light.scale).epsilon(1e-12));
 }
 
 TEST_CASE("D65 by its table") {  // CIE 015:2018
@@ -82,8 +87,10 @@ TEST_CASE("a line goes to the nearest wavelength") {
   CHECK(radiance[0] == 0);
   CHECK(radiance[1] > 0);
   CHECK(radiance[2] == 0);
-  CHECK(error_of(of_kind(Kind::line, {600}), {560, 580}) == "the line lies outside the wavelengths of the scene");
-  CHECK(error_of(of_kind(Kind::line, {589.3}), {580}) == "the line lies outside the wavelengths of the scene");
+  CHECK(error_of(of_kind(Kind::line, {600}), {560, 580}) ==
+        "the line lies outside the wavelengths of the scene");
+  CHECK(error_of(of_kind(Kind::line, {589.3}), {580}) ==
+        "the line lies outside the wavelengths of the scene");
 }
 
 TEST_CASE("colours come back, greys are D65") {
@@ -99,17 +106,20 @@ TEST_CASE("colours come back, greys are D65") {
     for (int k = 0; k < 3; ++k) RC_ASSERT(std::abs(back[k] - rgb[k] * white[k] * scale) < 1e-9);
     for (const double value : radiance) RC_ASSERT(value >= 0);
   }));
-  for (const auto& lambda_nm : {steps(380, 780, 20), steps(380, 780, 1), steps(580, 580, 1), steps(450, 650, 100)}) {
+  for (const auto& lambda_nm :
+       {steps(380, 780, 20), steps(380, 780, 1), steps(580, 580, 1), steps(450, 650, 100)}) {
     const auto grey = sampled(of_kind(Kind::rgb, {0.4, 0.4, 0.4}), lambda_nm);
     const auto light = sampled(of_kind(Kind::d65, {}, 0.4), lambda_nm);
-    for (std::size_t i = 0; i < grey.size(); ++i) CHECK(grey[i] == doctest::Approx(light[i]).epsilon(1e-12));
+    for (std::size_t i = 0; i < grey.size(); ++i)
+      CHECK(grey[i] == doctest::Approx(light[i]).epsilon(1e-12));
   }
 }
 
 TEST_CASE("white on fine grids is white") {
   for (const double step_nm : {1.0, 5.0}) {
     const auto lambda_nm = steps(380, 780, step_nm);
-    const auto back = linear_srgb(xyz(lambda_nm, sampled(of_kind(Kind::rgb, {1, 1, 1}), lambda_nm)));
+    const auto back =
+        linear_srgb(xyz(lambda_nm, sampled(of_kind(Kind::rgb, {1, 1, 1}), lambda_nm)));
     for (int k = 0; k < 3; ++k) CHECK(back[k] == doctest::Approx(1).epsilon(6e-4));
   }
 }
@@ -130,16 +140,20 @@ TEST_CASE("a black body holds at any temperature") {
 
 TEST_CASE("lights that cannot be are named") {
   const auto visible = steps(380, 780, 20);
-  CHECK(error_of(of_kind(Kind::d65), {900, 910}) == "the light has no visible power at the wavelengths of the scene");
+  CHECK(error_of(of_kind(Kind::d65), {900, 910}) ==
+        "the light has no visible power at the wavelengths of the scene");
   CHECK(error_of(of_kind(Kind::d65), {}) == "the scene has no wavelengths");
   CHECK(error_of(of_kind(Kind::blackbody, {-3}), visible) == "a temperature must be positive");
   CHECK(error_of(of_kind(Kind::blackbody), visible) == "a black body takes 1 number, 0 given");
   CHECK(error_of(of_kind(Kind::rgb, {1, 2}), visible) == "a colour takes 3 numbers, 2 given");
-  CHECK(error_of(of_kind(Kind::rgb, {1, -0.1, 0}), visible) == "a colour of light must not be negative");
+  CHECK(error_of(of_kind(Kind::rgb, {1, -0.1, 0}), visible) ==
+        "a colour of light must not be negative");
   CHECK(error_of(of_kind(Kind::d65, {}, -1), visible) == "a light's strength must be 0 or more");
   SpectrumFormula dark = of_kind(Kind::table);
   dark.points = {{400, 0}, {700, 0}};
-  CHECK(error_of(dark, visible) == "the light has no visible power at the wavelengths of the scene");
+  CHECK(error_of(dark, visible) ==
+        "the light has no visible power at the wavelengths of the scene");
   dark.points = {{400, 1}, {300, 1}};
-  CHECK(error_of(dark, visible) == "point 2 of the table is not at a longer wavelength than the one before");
+  CHECK(error_of(dark, visible) ==
+        "point 2 of the table is not at a longer wavelength than the one before");
 }

@@ -13,11 +13,13 @@ using namespace nicol;
 
 namespace {
 
-std::vector<float> read_channel(Imf::InputFile& file, const std::string& name, int width, int height) {
+std::vector<float> read_channel(Imf::InputFile& file, const std::string& name, int width,
+                                int height) {
   std::vector<float> values(static_cast<std::size_t>(width) * height, -1);
   Imf::FrameBuffer pixels;
   const std::size_t row_bytes = static_cast<std::size_t>(width) * sizeof(float);
-  pixels.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), sizeof(float), row_bytes));
+  pixels.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), sizeof(float),
+                                 row_bytes));
   file.setFrameBuffer(pixels);
   file.readPixels(0, height - 1);
   return values;
@@ -48,7 +50,8 @@ TEST_CASE("every value of an EXR comes back in its place, packed or not") {
         CHECK(file.header().channels().findChannel(names[s][i])->type == Imf::FLOAT);
         const auto values = read_channel(file, names[s][i], width, height);
         for (std::size_t p = 0; p < values.size(); ++p)
-          wrong += values[p] != pattern_value(s, i, static_cast<int>(p % width), static_cast<int>(p / width));
+          wrong += values[p] !=
+                   pattern_value(s, i, static_cast<int>(p % width), static_cast<int>(p / width));
       }
     CHECK(wrong == 0);
     CHECK(read_channel(file, "cutoff", width, height) == frame.cut_off);
@@ -86,5 +89,6 @@ TEST_CASE("exposure acts on the colours and not on the Stokes vectors") {
   const auto once = linear_rgb(frame);
   frame.exposure = 2;
   const auto twice = linear_rgb(frame);
-  for (std::size_t i = 0; i < once.size(); ++i) CHECK(twice[i] == doctest::Approx(2 * once[i]).epsilon(1e-6));
+  for (std::size_t i = 0; i < once.size(); ++i)
+    CHECK(twice[i] == doctest::Approx(2 * once[i]).epsilon(1e-6));
 }

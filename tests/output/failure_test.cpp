@@ -48,15 +48,17 @@ TEST_CASE("targets that cannot be are refused before anything is rendered") {
   CHECK(refusal(folder.file("a.jpg")) ==
         "cannot write " + folder.file("a.jpg") + ": unknown suffix .jpg (.exr and .png are known)");
   CHECK(refusal(folder.file("picture")) ==
-        "cannot write " + folder.file("picture") + ": its name has no suffix (.exr and .png are known)");
+        "cannot write " + folder.file("picture") +
+            ": its name has no suffix (.exr and .png are known)");
   CHECK(refusal("") == "cannot write : its name has no suffix (.exr and .png are known)");
-  CHECK(refusal(folder.file("none/a.exr")) ==
-        "cannot write " + folder.file("none/a.exr") + ": there is no folder " + folder.file("none"));
+  CHECK(refusal(folder.file("none/a.exr")) == "cannot write " + folder.file("none/a.exr") +
+                                                  ": there is no folder " + folder.file("none"));
   fs::create_directory(folder.file("b.png"));
-  CHECK(refusal(folder.file("b.png")) == "cannot write " + folder.file("b.png") + ": it is a folder");
+  CHECK(refusal(folder.file("b.png")) ==
+        "cannot write " + folder.file("b.png") + ": it is a folder");
   put(folder.file("file"), "");
-  CHECK(refusal(folder.file("file/a.exr")) ==
-        "cannot write " + folder.file("file/a.exr") + ": " + folder.file("file") + " is not a folder");
+  CHECK(refusal(folder.file("file/a.exr")) == "cannot write " + folder.file("file/a.exr") + ": " +
+                                                  folder.file("file") + " is not a folder");
   CHECK(refusal(folder.file("a.exr")) == "(accepted)");
   CHECK(refusal(folder.file("a.PNG")) == "(accepted)");
   CHECK(folder.entries() == 2);  // b.png and file: asking leaves nothing behind
@@ -64,8 +66,9 @@ TEST_CASE("targets that cannot be are refused before anything is rendered") {
 
 TEST_CASE("a folder without the right to write is refused") {
   const TemporaryFolder folder;
-  fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec | fs::perms::group_read |
-                                     fs::perms::group_exec | fs::perms::others_read | fs::perms::others_exec);
+  fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec |
+                                     fs::perms::group_read | fs::perms::group_exec |
+                                     fs::perms::others_read | fs::perms::others_exec);
   const auto outcome = write_pattern(folder.file("a.exr") + " nobody");
   fs::permissions(folder.path(), fs::perms::owner_all);
   CHECK(outcome.code == 1);
@@ -79,7 +82,8 @@ TEST_CASE("a file that cannot be finished leaves the old one and no debris") {
     REQUIRE(write_pattern(folder.file(name)).code == 0);
     const auto whole_bytes = fs::file_size(folder.file(name));
     put(folder.file(name), "the old picture");
-    for (const auto bytes : {std::uintmax_t{0}, std::uintmax_t{10}, whole_bytes / 2, whole_bytes - 1}) {
+    for (const auto bytes :
+         {std::uintmax_t{0}, std::uintmax_t{10}, whole_bytes / 2, whole_bytes - 1}) {
       CAPTURE(bytes);
       const auto outcome = write_pattern(folder.file(name) + " bytes=" + std::to_string(bytes));
       CHECK(outcome.code == 1);
@@ -134,9 +138,11 @@ TEST_CASE("a picture that contradicts itself is refused") {
   for (const std::string name : {"a.exr", "a.png"}) {
     Frame frame = pattern_frame(3, 2);
     frame.stokes.pop_back();
-    CHECK_THROWS_WITH_AS(make_sink(folder.file(name))->write(frame),
-                         ("cannot write " + folder.file(name) + ": the arrays of the picture do not fit its size").c_str(),
-                         OutputError);
+    CHECK_THROWS_WITH_AS(
+        make_sink(folder.file(name))->write(frame),
+        ("cannot write " + folder.file(name) + ": the arrays of the picture do not fit its size")
+            .c_str(),
+        OutputError);
     CHECK_THROWS_AS(make_sink(folder.file(name))->write(Frame{}), OutputError);
   }
   CHECK(folder.entries() == 0);

@@ -20,7 +20,9 @@ Frame empty_frame(int width, int height, std::vector<double> lambda_nm) {
   frame.cut_off.resize(frame.plane());
   frame.row_done.assign(static_cast<std::size_t>(height), 1);
   frame.rows_done = height;
-  frame.how = {{"scene", "scenes/a b.pov"}, {"device", "Prozessor f\xC3\xBCr Versuche"}, {"settings", "width 7"}};
+  frame.how = {{"scene", "scenes/a b.pov"},
+               {"device", "Prozessor f\xC3\xBCr Versuche"},
+               {"settings", "width 7"}};
   return frame;
 }
 
@@ -37,7 +39,8 @@ Frame pattern_frame(int width, int height) {
     for (int x = 0; x < width; ++x) {
       const auto pixel = static_cast<std::size_t>(y) * width + x;
       for (int s = 0; s < 4; ++s)
-        for (std::size_t i = 0; i < 3; ++i) frame.component(s, i)[pixel] = pattern_value(s, i, x, y);
+        for (std::size_t i = 0; i < 3; ++i)
+          frame.component(s, i)[pixel] = pattern_value(s, i, x, y);
       frame.cut_off[pixel] = static_cast<float>(x) + static_cast<float>(y) / 8;
     }
   return frame;
@@ -58,7 +61,8 @@ Frame colour_frame(int width, int height, const std::vector<float>& rgb) {
   for (std::size_t pixel = 0; pixel < frame.plane(); ++pixel)
     for (std::size_t i = 0; i < lambda_nm.size(); ++i) {
       double radiance = 0;
-      for (std::size_t k = 0; k < 3; ++k) radiance += static_cast<double>(rgb[3 * pixel + k]) * primaries[k][i];
+      for (std::size_t k = 0; k < 3; ++k)
+        radiance += static_cast<double>(rgb[3 * pixel + k]) * primaries[k][i];
       frame.component(0, i)[pixel] = static_cast<float>(radiance);
     }
   return frame;

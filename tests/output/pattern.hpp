@@ -7,11 +7,13 @@
 
 namespace nicol {
 
-// stokes = 64 s + 8 i + x/16 + y/256, cut_off = x + y/8: exact in float. Wavelengths 400, 580, 633.2 nm.
+// stokes = 64 s + 8 i + x/16 + y/256, cut_off = x + y/8: exact in float. Wavelengths 400, 580,
+// 633.2 nm.
 Frame pattern_frame(int width, int height);
 float pattern_value(int s, std::size_t i, int x, int y);
 
-// A picture of one colour of light per pixel: linear sRGB from (left to right, top to bottom) `rgb`.
+// A picture of one colour of light per pixel: linear sRGB from (left to right, top to bottom)
+// `rgb`.
 Frame colour_frame(int width, int height, const std::vector<float>& rgb);
 
 class TemporaryFolder {

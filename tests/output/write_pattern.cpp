@@ -1,7 +1,7 @@
 // Writes the picture of the tests, in a process of its own so that it may be starved:
 //   write_pattern PATH [none] [bytes=N] [nobody] [rows=N] [size=WxHxL]
-// none: without packing; bytes: no file may grow longer; nobody: without rights; rows: only the first N are
-// done; size: for measuring. Prints the error, 1 for failure.
+// none: without packing; bytes: no file may grow longer; nobody: without rights; rows: only the
+// first N are done; size: for measuring. Prints the error, 1 for failure.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -43,7 +43,8 @@ nicol::Frame large_frame(const char* size) {
   std::uniform_real_distribution<float> noise(0.95f, 1.05f);
   for (std::size_t start = 0; start < frame.stokes.size(); start += frame.plane())
     for (std::size_t pixel = frame.plane() / 4; pixel < 3 * frame.plane() / 4; ++pixel)
-      frame.stokes[start + pixel] = noise(random) * static_cast<float>(pixel % width) / static_cast<float>(width);
+      frame.stokes[start + pixel] =
+          noise(random) * static_cast<float>(pixel % width) / static_cast<float>(width);
   return frame;
 }
 
@@ -56,15 +57,19 @@ int main(int argc, char** argv) {
   for (int i = 2; i < argc; ++i) {
     if (!std::strcmp(argv[i], "none")) packed = false;
     if (!std::strcmp(argv[i], "nobody")) become_nobody();
-    if (!std::strncmp(argv[i], "bytes=", 6)) limit_file_size(static_cast<rlim_t>(std::atoll(argv[i] + 6)));
+    if (!std::strncmp(argv[i], "bytes=", 6))
+      limit_file_size(static_cast<rlim_t>(std::atoll(argv[i] + 6)));
     if (!std::strncmp(argv[i], "size=", 5)) frame = large_frame(argv[i] + 5);
     if (!std::strncmp(argv[i], "rows=", 5))
-      for (int y = std::atoi(argv[i] + 5); y < frame.height; ++y) frame.row_done[static_cast<std::size_t>(y)] = 0;
+      for (int y = std::atoi(argv[i] + 5); y < frame.height; ++y)
+        frame.row_done[static_cast<std::size_t>(y)] = 0;
   }
   try {
     const auto start = std::chrono::steady_clock::now();
-    if (packed) nicol::make_sink(argv[1])->write(frame);
-    else nicol::make_exr_sink(argv[1], nicol::ExrPacking::none)->write(frame);
+    if (packed)
+      nicol::make_sink(argv[1])->write(frame);
+    else
+      nicol::make_exr_sink(argv[1], nicol::ExrPacking::none)->write(frame);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::printf("%.3f s\n", seconds.count());
   } catch (const nicol::OutputError& error) {
