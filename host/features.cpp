@@ -74,12 +74,10 @@ void decide_media(const Scene& scene, Decision& d) {
     const std::string where = "medium '" + medium.name + "' of the " + object.kind + at(object.where);
     if (any_nonzero(medium.k)) d.call(FEATURE_absorption, where);
     if (!any_nonzero(medium.rotation_deg_per_mm)) continue;
-    if (!d.on(FEATURE_polarization)) {
-      d.leave(FEATURE_rotation, "no polarization to turn");
-    } else if (medium.circular_waves) {
-      d.call(FEATURE_circular_waves, where);
-    } else {
+    if (d.on(FEATURE_polarization)) {
       d.call(FEATURE_rotation, where);
+    } else {
+      d.leave(FEATURE_rotation, "no polarization to turn");
     }
   }
   if (any_nonzero(scene.media.front().k)) d.call(FEATURE_absorption, "the surroundings");

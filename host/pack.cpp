@@ -113,7 +113,7 @@ class Packer {
     header(HEADER_MEDIA_AT) = ints_here();
     for (const Medium& medium : scene_.media) {
       const std::size_t count = medium.n.size();
-      Samples absorb(count), hi(count), lo(count), kappa(count);
+      Samples absorb(count), hi(count), lo(count);
       bool absorbs = false, rotates = false;
       for (std::size_t i = 0; i < count; ++i) {
         const double lambda_mm = scene_.lambda_nm[i] * 1e-6;
@@ -121,7 +121,6 @@ class Packer {
         const double turns = medium.rotation_deg_per_mm[i] / 360;
         hi[i] = static_cast<float>(turns);
         lo[i] = turns - hi[i];
-        kappa[i] = turns * lambda_mm;  // (rad/mm) lambda / 2 pi, Condon 1937
         absorbs = absorbs || medium.k[i] != 0;
         rotates = rotates || medium.rotation_deg_per_mm[i] != 0;
       }
@@ -130,8 +129,7 @@ class Packer {
       transport_row(absorb);
       transport_row(hi);
       transport_row(lo);
-      transport_row(kappa);
-      out_.ints.insert(out_.ints.end(), {first, absorbs, rotates && !medium.circular_waves, medium.circular_waves});
+      out_.ints.insert(out_.ints.end(), {first, absorbs, rotates});
     }
     header(HEADER_DELTA_ROW) = static_cast<int>(out_.tables.size()) / out_.stride;
     for (const Medium& one : scene_.media) {

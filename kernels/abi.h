@@ -46,11 +46,11 @@ enum {
   // rows of a calcite polarizer from POLARIZER_ROW on
   POLARIZER_ROW_N_O = 0, POLARIZER_ROW_N_E, POLARIZER_ROWS,
   // medium: first row, flags
-  MEDIUM_ROW = 0, MEDIUM_ABSORBS, MEDIUM_ROTATES, MEDIUM_CIRCULAR, MEDIUM_INTS,
+  MEDIUM_ROW = 0, MEDIUM_ABSORBS, MEDIUM_ROTATES, MEDIUM_INTS,
   // rows of a medium from MEDIUM_ROW on. Rotation in turns per mm as hi + lo (two scalars keep the phase
-  // of 1e5 turns); extinction k; kappa = rotation (rad/m) lambda / 2 pi
+  // of 1e5 turns); extinction coefficient k
   MEDIUM_ROW_N = 0, MEDIUM_ROW_K, MEDIUM_ROW_ABSORB_PER_MM, MEDIUM_ROW_TURNS_HI, MEDIUM_ROW_TURNS_LO,
-  MEDIUM_ROW_KAPPA, MEDIUM_ROWS,
+  MEDIUM_ROWS,
   // camera scalars
   CAMERA_LOCATION = 0, CAMERA_DIRECTION = 3, CAMERA_RIGHT = 6, CAMERA_UP = 9, CAMERA_REALS = 12,
   // setting scalars

@@ -26,6 +26,11 @@ FUNCTION void render_item(GLOBAL const int* ints, GLOBAL const scalar* reals, GL
     ((PRIVATE scalar*)&x0)[lane] = px[lane];
     ((PRIVATE scalar*)&y0)[lane] = py[lane];
   }
+  // lanes beyond the last channel or pixel are dead from the start
+  real index = lanes(0);
+  for (int lane = 0; lane < LANES; ++lane) ((PRIVATE scalar*)&index)[lane] = (scalar)lane;
+  int used = over_pixels ? width * height - pixel * LANES : ints[HEADER_LAMBDA_COUNT] - part * LANES;
+  mask in_use = index < lanes((scalar)used);
   real total[OUT_COMPONENTS];
   for (int i = 0; i < OUT_COMPONENTS; ++i) total[i] = lanes(0);
   int segments = 0;
@@ -35,6 +40,7 @@ FUNCTION void render_item(GLOBAL const int* ints, GLOBAL const scalar* reals, GL
     real v = (y0 - lanes(samples[2 * s + 1])) / lanes((scalar)height);
     vec3 picture_x;
     Path path = camera_path(&view, u, v, &picture_x);
+    path.jones = keep_lanes(&view, in_use, path.jones);
     vec3 axis = path.axis, direction = path.ray.direction;
     Gathered sum;
     sum.s0 = sum.s1 = sum.s2 = sum.s3 = sum.cut_off = lanes(0);
