@@ -104,6 +104,9 @@ class Maker {
         const int edge = piece.edges[face.tag - 2];
         face.tag = edge < 0 ? -1 : edge + 2;
       }
+      std::stable_sort(body.faces.begin(), body.faces.end(), [](const auto& a, const auto& b) {
+        return std::make_pair(a.tag < 0, a.tag) < std::make_pair(b.tag < 0, b.tag);
+      });
       add_solid(std::move(body));
     }
   }

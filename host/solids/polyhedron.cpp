@@ -152,13 +152,14 @@ Polygon Polyhedron::polygon(int face) const {
 namespace {
 
 // A cube around every point where three of the planes can meet: by Cramer's rule such a point is a ratio
-// of 3x3 determinants of the integers, below 6 x 2^(3 bits), over an integer of at least 1.
+// of 3x3 determinants of the integers, below 6 x 2^(3 bits), over an integer of at least 1. It is larger still, so
+// that its corners show the directions in which the planes are open.
 Polyhedron far_cube(const std::vector<ExactPlane>& planes) {
   std::size_t bits = 1;
   for (const ExactPlane& plane : planes) {
     for (const Integer& value : plane.v) bits = std::max(bits, mpz_sizeinbase(value.get_mpz_t(), 2));
   }
-  const Integer far = Integer(1) << (3 * bits + 4);
+  const Integer far = Integer(1) << (3 * bits + 64);
   Polyhedron cube;
   for (int i = 0; i < 8; ++i) {
     cube.corners.emplace_back(Integer4{i & 1 ? far : Integer(-far), i & 2 ? far : Integer(-far),
