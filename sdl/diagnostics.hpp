@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tree.hpp"
@@ -12,7 +13,7 @@ enum class Severity { note, warning, error };
 
 struct Diagnostic {
   Severity severity;
-  std::string message;  // as POV-Ray words it after "Parse Error: "
+  std::string message;  // as POV-Ray words it after "Parse Error: "; hints on further lines
   Location where;
 };
 

@@ -18,7 +18,7 @@ struct Limits {
   int macro_depth = 96;          // POV-Ray's own is about 95
   int nesting_depth = 256;       // blocks, parentheses, brackets
   std::size_t steps = 200'000'000;  // tokens handed out, over loops and macros
-  std::size_t items = 20'000'000;   // items in the tree, array elements and string bytes together
+  std::size_t items = 8'000'000;   // items in the tree, array elements and string bytes together
 };
 
 struct Options {
@@ -27,6 +27,8 @@ struct Options {
   double image_width = 640, image_height = 480;
   double clock = 0, clock_delta = 0;
   double frame_number = 0, initial_frame = 0, final_frame = 0;
+  std::vector<std::string> reserved;           // words that a scene may not declare
+  std::size_t most_errors = 100;               // then the parse ends
   Limits limits;
   std::function<void(const std::string&)> debug;  // what #debug prints; default: standard error
 };

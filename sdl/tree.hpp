@@ -44,6 +44,9 @@ struct Item {
 };
 
 // `name { items }`. A `[ ... ]` list is a block named "[". `#default { ... }` is a block named "#default".
+// A `< ... >` list of more than 5 numbers is a block named "<", unless it is the 12 of `matrix`.
+// Declared `texture { } texture { }` is one block named "textures". `function { ... }` among items is
+// a block named "function" that holds its text as one string.
 // A declared identifier that holds a block stands as that block: `object { Thing rotate x }` is
 // Block("object", {Block("box", ...), Word rotate, Vector x}).
 struct Block {
@@ -51,6 +54,10 @@ struct Block {
   std::vector<Item> items;
   Location where;      // its name
   Location end_where;  // its closing brace
+  bool damaged = false;  // an error inside was reported: do not complain of what is missing
+  int depth = 1;         // of blocks within blocks
+  std::size_t weight = 1;      // things within, those of shared blocks counted at each use
+  std::uint32_t defaults = 0;  // how many #default blocks stood before it
 };
 
 // The whole scene: the top-level blocks in order.
@@ -58,7 +65,7 @@ struct Document {
   std::vector<Item> items;
 };
 
-// Writes a tree as scene text that parses to the same tree (numbers with 17 digits).
+// Writes a tree as scene text that parses to the same tree (the shortest digits that read back exactly).
 std::string print(const Document& document);
 
 // Equal names, values and order; locations do not count.
