@@ -24,11 +24,16 @@ bool needs_wavelength(Quantity quantity) {
          quantity == Quantity::rotation_deg;
 }
 
-// The medium of the first solid.
+// The medium of the first solid that turns the plane of polarization; else of the first solid.
 std::optional<int> first_medium(const Scene& scene) {
-  for (const Object& object : scene.objects)
-    if (object.medium && *object.medium > 0) return object.medium;
-  return std::nullopt;
+  std::optional<int> first;
+  for (const Object& object : scene.objects) {
+    if (!object.medium || *object.medium == 0) continue;
+    if (!first) first = object.medium;
+    for (double turn : scene.media[*object.medium].rotation_deg_per_mm)
+      if (turn != 0) return object.medium;
+  }
+  return first;
 }
 
 bool complete(Context& context, const RawExpectation& raw) {
@@ -104,7 +109,7 @@ Schema expect_schema(Context& context, RawExpectation& raw) {
               e->length_mm = a.numbers[0] * c->scene.settings.mm_per_unit;
               set(Quantity::malus_xyz, a, xyz_of(a));
             },
-            "length (scene units), <X, Y, Z> of the first light times cos^2 of the rotation in the first solid's medium"},
+            "length (scene units), <X, Y, Z> of the first light times cos^2 of the rotation in the first solid that rotates"},
            {"at", "p", [=](const Args& a) { e->at = a.points[0]; },
             "place in the picture, exactly: <0,0> its upper left corner, <1,1> its lower right (<0.5,0.5>)"},
            {"within", "n",

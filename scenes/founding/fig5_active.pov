@@ -1,0 +1,15 @@
+// Figure 5, right: the same cube with the rotation of quartz. Reddish.
+#version unofficial 3.7;
+#include "founding.inc"
+global_settings { mm_per_unit Mm_Per_Unit max_trace_level 30 adc_bailout 1e-7 exposure 2 }
+Founding_Camera(Centre, View_Angle)
+
+#for (Lambda, 380, 780, 40)
+  Expect_Centre(Lambda, 3e-5)
+#end
+expect {
+  malus_xyz Edge, <0.572, 0.544, 0.512> within 0.002
+  source "Kozlov & Debelov 2014: 16 mm between parallel polarizers under D65, before Fresnel losses"
+}
+Expect_Bare_Light(580, 0.15, View_Angle)
+Expect_Sky(580, 0.02, View_Angle)
