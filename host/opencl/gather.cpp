@@ -12,15 +12,6 @@
 namespace nicol {
 namespace {
 
-constexpr std::uint32_t lanes_over_pixels_bit() {
-  enum : std::uint32_t {
-#define FEATURE(name, bit, meaning) bit_of_##name = std::uint32_t{1} << bit,
-#include "kernels/features.def"
-#undef FEATURE
-  };
-  return bit_of_lanes_over_pixels;
-}
-
 // What the system says is free, in bytes; huge if it does not say.
 double free_memory_bytes() {
   std::ifstream in("/proc/meminfo");
@@ -31,6 +22,15 @@ double free_memory_bytes() {
 }
 
 }  // namespace
+
+std::uint32_t lanes_over_pixels_bit() {
+  enum : std::uint32_t {
+#define FEATURE(name, bit, meaning) bit_of_##name = std::uint32_t{1} << bit,
+#include "kernels/features.def"
+#undef FEATURE
+  };
+  return bit_of_lanes_over_pixels;
+}
 
 ItemLayout item_layout(const PackedScene& scene, int lanes) {
   ItemLayout layout;

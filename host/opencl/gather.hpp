@@ -19,7 +19,11 @@ struct ItemLayout {
   int pixels_per_unit() const { return over_pixels ? lanes : 1; }
   std::int64_t items_per_unit() const { return over_pixels ? channels : blocks; }
   std::int64_t units() const { return (pixels + pixels_per_unit() - 1) / pixels_per_unit(); }
+  std::int64_t items() const { return units() * items_per_unit(); }
 };
+
+// In PackedScene::features.
+std::uint32_t lanes_over_pixels_bit();
 
 ItemLayout item_layout(const PackedScene& scene, int lanes);
 

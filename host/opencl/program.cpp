@@ -60,6 +60,16 @@ bool use_binary(Device& device, const Bytes& binary, const std::string& options,
   }
 }
 
+// Not to be kept is no failure: the next start builds again.
+void save_program(const cl::Program& program, const std::string& folder, const std::string& identity) {
+  try {
+    const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+    if (!binaries.empty()) save_binary(folder, identity, binaries.front());
+  } catch (const cl::Error&) {
+    return;
+  }
+}
+
 std::shared_ptr<Kernel> make_kernel(Device& device, const KernelRequest& request, const std::string& source,
                                     const std::string& options, const std::string& identity) {
   const auto start = Clock::now();
@@ -74,11 +84,10 @@ std::shared_ptr<Kernel> make_kernel(Device& device, const KernelRequest& request
     made->program = build_source(device, source, options);
     cl::Kernel kernel(made->program, request.name.c_str());
     request.warm_up(device.queues[0], kernel, made->local_size);
-    if (request.binary_cache) {
-      const auto binaries = made->program.getInfo<CL_PROGRAM_BINARIES>();
-      if (binaries.empty() || !save_binary(folder, identity, binaries.front()))
-        made->report.note = "compiled kernels are not kept: no cache folder can be written";
-    }
+    if (request.binary_cache && (folder.empty() || !is_writable_folder(folder)))
+      made->report.note = "compiled kernels are not kept: no cache folder can be written";
+    else if (request.binary_cache)
+      made->saving = std::async(std::launch::async, save_program, made->program, folder, identity);
   }
   made->report.seconds = seconds_since(start);
   return made;

@@ -1,6 +1,7 @@
 // From kernel text to a kernel that is ready to launch: built once a process, kept on disk between them.
 #pragma once
 #include <functional>
+#include <future>
 #include <memory>
 #include <string>
 
@@ -14,6 +15,7 @@ struct Kernel {
   std::string name;
   int local_size = 1;
   BuildReport report;
+  std::future<void> saving;   // PoCL takes a second to give its binary: done beside the first tiles
 };
 
 struct KernelRequest {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <climits>
 #include <optional>
 
 #include "host/opencl/device_impl.hpp"
@@ -63,6 +64,13 @@ void check_scene(const PackedScene& scene, const std::vector<double>& lambda_nm,
         "the packed scene does not fit the launch: {} x {} pixels, {} channels in rows of {}, {} mixing shares, "
         "{} wavelengths, {} lanes", scene.width, scene.height, scene.channels, scene.stride, scene.mixing.size(),
         lambda_nm.size(), lanes));
+}
+
+// The kernel numbers its work-items with an int.
+void check_item_count(const PackedScene& scene, int lanes) {
+  if (item_layout(scene, lanes).items() > INT_MAX)
+    throw DeviceError(fmt::format("a picture of {} x {} pixels and {} channels is more than one launch can number: "
+                                  "render parts of it", scene.width, scene.height, scene.channels));
 }
 
 class Renderer {
@@ -262,6 +270,7 @@ Frame render(Device& device, const PackedScene& scene, const std::vector<double>
   report.lanes = lanes_on(device, options.kernel);
   report.real = options.kernel.real_double ? "double" : "float";
   check_scene(scene, lambda_nm, weight_nm, report.lanes);
+  check_item_count(scene, report.lanes);
   Frame frame = make_frame(scene, lambda_nm, weight_nm);
   try {
     const auto kernel = trace_kernel(device, scene.features, options.kernel);
