@@ -6,16 +6,13 @@
 #include <unistd.h>
 
 #include "host/app/commands.hpp"
+#include "host/output/atomic_file.hpp"
 
 namespace nicol::app {
 namespace {
 
 std::atomic<bool> interrupted{false};
 std::atomic<bool> something_to_save{false};
-std::vector<std::string>& files_to_remove() {
-  static std::vector<std::string> files;
-  return files;
-}
 static_assert(std::atomic<bool>::is_always_lock_free, "the signal handler needs lock-free flags");
 
 void tell(const char* message) {
@@ -27,8 +24,7 @@ extern "C" void on_interrupt(int) {
     tell("\nnicol: interrupted; the tiles in flight are finished and saved (once more quits at once)\n");
     return;
   }
-  if (something_to_save)
-    for (const std::string& file : files_to_remove()) unlink(file.c_str());
+  remove_unfinished_files();
   tell("\nnicol: interrupted, nothing saved\n");
   _exit(exit_interrupted);
 }
@@ -46,8 +42,7 @@ void catch_interrupts() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-const std::atomic<bool>& finish_first(const std::vector<std::string>& unfinished_files) {
-  files_to_remove() = unfinished_files;
+const std::atomic<bool>& finish_first() {
   something_to_save = true;
   return interrupted;
 }

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "host/bind/bind.hpp"
 
@@ -32,9 +33,26 @@ std::vector<double> split_numbers(const std::string& text, char separator) {
   }
 }
 
+// nicol's own include files, beside the program or where it was built, and POV-Ray's where it is installed.
+std::vector<std::string> standard_libraries() {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  std::vector<std::string> folders;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failed).parent_path();
+  constexpr int levels_up = 4;  // build/release/bin/nicol
+  fs::path above = program;
+  for (int i = 0; i < levels_up && folders.empty(); ++i, above = above.parent_path())
+    if (fs::is_regular_file(above / "scenes/include/units.inc", failed))
+      folders.push_back((above / "scenes/include").string());
+  if (folders.empty()) folders.push_back(NICOL_INCLUDE_FOLDER);
+  folders.push_back("/usr/share/povray-3.7/include");
+  return folders;
+}
+
 sdl::Options parse_options(const SceneOptions& options) {
   sdl::Options result;
   result.library_paths = options.library_paths;
+  for (std::string& folder : standard_libraries()) result.library_paths.push_back(std::move(folder));
   for (const std::string& declare : options.declares) {
     const std::size_t equals = declare.find('=');
     if (equals == 0 || equals == std::string::npos)

@@ -20,7 +20,6 @@ namespace {
 struct Target {
   std::string path;
   std::unique_ptr<FrameSink> sink;
-  bool is_png() const { return std::filesystem::path(path).extension() == ".png"; }
 };
 
 // The sinks come first: a picture that cannot be written is not worth its rendering.
@@ -82,8 +81,9 @@ int write_all(const std::vector<Target>& targets, const Frame& frame) {
 void tell(const std::vector<Target>& targets, const Frame& frame, const RenderReport& report, int samples) {
   fmt::print(stderr, "{}", summary_text(frame, report, samples));
   for (const Target& target : targets) {
-    if (!target.is_png()) continue;
-    const std::size_t clipped = count_clipped_pixels(frame);
+    const std::string suffix = std::filesystem::path(target.path).extension().string();
+    if (suffix != ".png" && suffix != ".PNG") continue;
+    const std::size_t clipped = clipped_pixels(frame);
     fmt::print(stderr, "{}: {} pixels clipped ({:.2g} %)\n", target.path, clipped,
                100.0 * static_cast<double>(clipped) / static_cast<double>(frame.plane()));
   }
@@ -107,10 +107,8 @@ int render_command(const RenderCommand& command) {
   const auto loaded = load_scene(command.scene, command.options);
   if (!loaded) return exit_error;
   check_memory(*loaded, command.options);
-  std::vector<std::string> unfinished;
-  for (const Target& target : targets) unfinished.push_back(target.path + ".part");
   RenderReport report;
-  const Frame frame = render_loaded(*loaded, command, finish_first(unfinished), report);
+  const Frame frame = render_loaded(*loaded, command, finish_first(), report);
   fmt::print(stderr, "{}", counter_warnings(report));
   if (report.interrupted) return finish_interrupted(targets, frame);
   const int code = write_all(targets, frame);

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 
 namespace nicol::app {
@@ -64,19 +63,7 @@ std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loa
           {"time", fmt::format("{:.3f} s, {:.3g} segments/s; {}", report.seconds, segments_per_second(report),
                                build_text(report.build))},
           {"cutOff", fmt::format("mean {:.3g}, worst {:.3g}", report.cut_off_mean, report.cut_off_worst)},
-          {"counters", counters_text(report)},
-          {"complete", report.interrupted ? "no: interrupted" : "yes"}};
-}
-
-std::size_t count_clipped_pixels(const Frame& frame) {
-  const std::vector<float> rgb = linear_rgb(frame);
-  std::size_t clipped = 0;
-  for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
-    const auto [least, most] = std::minmax({rgb[i], rgb[i + 1], rgb[i + 2]});
-    constexpr float half_step = 0.5f / 255;  // what rounds to the last 8-bit value is held
-    if (!(least >= -half_step && most <= 1 + half_step)) ++clipped;
-  }
-  return clipped;
+          {"counters", counters_text(report)}};
 }
 
 }  // namespace nicol::app

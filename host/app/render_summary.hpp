@@ -18,7 +18,4 @@ std::string counter_warnings(const RenderReport& report);
 std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loaded, const RenderCommand& command,
                                                           const RenderReport& report);
 
-// Pixels with a colour outside what PNG can hold.
-std::size_t count_clipped_pixels(const Frame& frame);
-
 }  // namespace nicol::app

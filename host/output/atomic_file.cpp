@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -15,6 +16,23 @@ namespace nicol {
 namespace {
 
 namespace fs = std::filesystem;
+
+// The names of the files not committed yet. A file beyond the last slot is only not removed at an abrupt end.
+std::array<std::atomic<const char*>, 16> unfinished_names{};
+static_assert(std::atomic<const char*>::is_always_lock_free, "a signal handler reads the names");
+
+int enlist(const char* name) {
+  for (std::size_t i = 0; i < unfinished_names.size(); ++i) {
+    const char* none = nullptr;
+    if (unfinished_names[i].compare_exchange_strong(none, name)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void strike_off(int& slot) {
+  if (slot >= 0) unfinished_names[static_cast<std::size_t>(slot)] = nullptr;
+  slot = -1;
+}
 
 std::string folder_of(const std::string& target) {
   const auto folder = fs::path(target).parent_path().string();
@@ -53,6 +71,11 @@ void sync_folder(const std::string& folder) {
 
 }  // namespace
 
+void remove_unfinished_files() noexcept {
+  for (const std::atomic<const char*>& name : unfinished_names)
+    if (const char* file = name) ::unlink(file);
+}
+
 void cannot_write(const std::string& path, const std::string& reason) {
   throw OutputError("cannot write " + path + ": " + reason);
 }
@@ -66,11 +89,13 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path), target_(resolve(p
     descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (descriptor_ < 0 && errno == EEXIST);
   if (descriptor_ < 0) cannot_write(path_, std::strerror(errno));
+  slot_ = enlist(temporary_.c_str());
 }
 
 AtomicFile::~AtomicFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  strike_off(slot_);
 }
 
 void AtomicFile::fail(int error_number) {
@@ -104,6 +129,7 @@ void AtomicFile::commit() {
   descriptor_ = -1;
   if (closed != 0) fail(errno);
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  strike_off(slot_);
   temporary_.clear();
   sync_folder(folder_of(target_));
 }

@@ -29,10 +29,14 @@ class AtomicFile {
   std::string path_;       // as the user wrote it: for messages
   std::string target_;     // links resolved
   std::string temporary_;  // empty once renamed
+  int slot_ = -1;          // where remove_unfinished_files() finds its name
   std::uint64_t position_ = 0;
   int descriptor_ = -1;
   int first_error_ = 0;
 };
+
+// Removes every file that is not committed yet, for a program that ends at once. Safe in a signal handler.
+void remove_unfinished_files() noexcept;
 
 // "cannot write PATH: REASON"
 [[noreturn]] void cannot_write(const std::string& path, const std::string& reason);
