@@ -99,6 +99,14 @@ void Parser::word_item(Block& b, Token token) {
   else value_item(b, std::move(token));
 }
 
+// `word` stands where a number was needed, as the operator after it shows.
+void Parser::fail_before(const Token& word, const Token& after) {
+  if (names_unknown_) fail_with(word, "");
+  push_back(after);
+  throw Failure{word.where, "Expected 'numeric expression', " + describe(word) + " found instead" +
+                                hint(word)};
+}
+
 namespace {
 
 Item number_item(const Numbers& n, Location where) {
@@ -128,6 +136,15 @@ void Parser::value_item(Block& b, Token token) {
     push_back(std::move(token));
     add(b, number_item(sum(), where));
   } else {
+    const Item* before = b.items.empty() ? nullptr : &b.items.back();
+    const bool operates = token.is('*') || token.is('/') || token.is('.');
+    if (operates && before && before->word()) {  // it was meant as a number
+      Token word;
+      word.kind = Kind::word;
+      word.index = symbols_.intern(*before->word());
+      word.where = before->where;
+      fail_before(word, token);
+    }
     fail_in(b.name, token);
   }
 }

@@ -37,13 +37,13 @@ Numbers Parser::float_call(const Token& name) {
   const auto keyword = static_cast<Keyword>(name.index);
   const Arity arity = float_builtin_arity(keyword);
   expect('(');
-  const Group group(*this);
+  Group group(*this);
   std::vector<double> arguments;
   do {
     arguments.push_back(number());
   } while ((arity.most < 0 || static_cast<int>(arguments.size()) < arity.most) && accept(','));
   if (static_cast<int>(arguments.size()) < arity.least) fail(", ", next());
-  expect(')');
+  group.close(')');
   const char* warning = nullptr;
   try {
     const double value = float_builtin(keyword, arguments.data(), arguments.size(), &warning);
@@ -59,7 +59,7 @@ Numbers Parser::call(const Token& name, const Value& value) {
   if (const auto* f = std::get_if<FunctionPtr>(&value)) function = *f;
   else function = spline_function(std::get<BlockPtr>(value), name.where);
   expect('(');
-  const Group group(*this);
+  Group group(*this);
   std::vector<double> arguments;
   const bool spline = function->kind == Function::Kind::spline;
   const std::size_t wanted = spline ? 1 : function->parameters.size();
@@ -68,7 +68,7 @@ Numbers Parser::call(const Token& name, const Value& value) {
     if (arguments.size() < wanted && !accept(',')) fail(", ", next());
   }
   if (spline && accept(',')) next();  // `S(t, linear_spline)`: the kind it was made with is used
-  expect(')');
+  group.close(')');
   try {
     return call_function(*function, arguments.data(), arguments.size(), steps_left_);
   } catch (const MathError& error) {
@@ -90,7 +90,7 @@ Numbers Parser::other_call(const Token& name) {
     default: break;
   }
   expect('(');
-  const Group group(*this);
+  Group group(*this);
   const auto keyword = static_cast<Keyword>(name.index);
   const std::string text = keyword == Keyword::k_file_exists ? raw_string() : string_value()->text;
   double value = 0;
@@ -107,13 +107,13 @@ Numbers Parser::other_call(const Token& name) {
     const int order = text.compare(string_value()->text);
     value = order < 0 ? -1 : order > 0 ? 1 : 0;
   }
-  expect(')');
+  group.close(')');
   return Numbers(value);
 }
 
 Numbers Parser::array_call(const Token& name) {
   expect('(');
-  const Group group(*this);
+  Group group(*this);
   Token token = next_name();
   const auto* held = token.holds<ArrayPtr>();
   if (!held) fail("array identifier", token);
@@ -125,7 +125,7 @@ Numbers Parser::array_call(const Token& name) {
     const bool known = which >= 1 && which < value + 1;
     value = known ? static_cast<double>(array->dimensions[static_cast<std::size_t>(which) - 1]) : 0;
   }
-  expect(')');
+  group.close(')');
   return Numbers(value);
 }
 
@@ -167,7 +167,7 @@ Numbers turned(const Numbers& a, const Numbers& axis, double angle_deg) {
 
 Numbers Parser::vector_call(const Token& name) {
   expect('(');
-  const Group group(*this);
+  Group group(*this);
   const Numbers a = vector3();
   Numbers b, result;
   const auto keyword = static_cast<Keyword>(name.index);
@@ -194,16 +194,16 @@ Numbers Parser::vector_call(const Token& name) {
       result = turned(a, b, number());
       break;
   }
-  expect(')');
+  group.close(')');
   return result;
 }
 
 // POV-Ray's generator: s = s*1812433253 + 12345 modulo 2^32, value s/(2^32-1).
 Numbers Parser::random_call(const Token& name) {
   expect('(');
-  const Group group(*this);
+  Group group(*this);
   const double given = number();
-  expect(')');
+  group.close(')');
   if (name.is(Keyword::k_seed)) {
     budget_.charge(1);
     const double clamped = given != given ? 0 : std::fmin(std::fmax(given, -2147483648.0), 2147483647.0);

@@ -55,7 +55,7 @@ FunctionPtr Parser::function_value() {
   auto f = std::make_shared<Function>();
   read_parameters(*f);
   expect('{');
-  const Group group(*this);
+  Group group(*this);
   const Token& first = peek();
   if (first.undeclared()) {
     Token name = next();

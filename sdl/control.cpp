@@ -34,15 +34,15 @@ bool Parser::condition(Keyword keyword) {
   if (keyword == Keyword::k_ifdef) return is_defined();
   if (keyword == Keyword::k_ifndef) return !is_defined();
   expect('(');
-  const Group group(*this);
+  Group group(*this);
   const Numbers value = choice();
-  expect(')');
+  group.close(')');
   return value.v[0] != 0;
 }
 
 bool Parser::is_defined() {
   expect('(');
-  const Group group(*this);
+  Group group(*this);
   Token name = next_name();
   if (name.kind != Kind::word) fail("identifier", name);
   CellPtr cell = name.cell;
@@ -51,7 +51,7 @@ bool Parser::is_defined() {
     if (!array) fail(")", next());
     cell = subscripted(name, *array);
   }
-  expect(')');
+  group.close(')');
   return cell && !std::holds_alternative<Unset>(cell->value);
 }
 
@@ -88,14 +88,14 @@ void Parser::run_if(std::uint32_t at) {
 
 bool Parser::matches_case(Keyword keyword, double value) {
   expect('(');
-  const Group group(*this);
+  Group group(*this);
   const double low = number();
   double high = low;
   if (keyword == Keyword::k_range) {
     accept(',');
     high = number();
   }
-  expect(')');
+  group.close(')');
   return value >= low - slack && value <= high + slack;
 }
 
@@ -106,9 +106,9 @@ void Parser::run_switch(std::uint32_t at) {
   expect('(');
   double value = 0;
   {
-    const Group group(*this);
+    Group group(*this);
     value = number();
-    expect(')');
+    group.close(')');
   }
   for (;;) {
     if (frame().serial != serial) throw Failure{last_, "Mis-matched '#switch'."};
@@ -161,7 +161,7 @@ void Parser::run_for(std::uint32_t at) {
   Control control{at, at, Keyword::k_for, nullptr, 0, 1};
   try {
     expect('(');
-    const Group group(*this);
+    Group group(*this);
     Token name = next_name();
     if (name.kind != Kind::word || name.keyword_class() != KeywordClass::none) {
       throw Failure{name.where, "Local variable name expected!"};
@@ -171,7 +171,7 @@ void Parser::run_for(std::uint32_t at) {
     expect(',');
     control.stop = number();
     if (accept(',')) control.step = number();
-    expect(')');
+    group.close(')');
     control.counter = scope_.declare_local(name.index);
     control.counter->value = Numbers(first);
   } catch (const Failure&) {

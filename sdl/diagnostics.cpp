@@ -101,7 +101,7 @@ std::string Diagnostics::text() const {
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
-  const std::size_t allowed = word.size() <= 3 ? 1 : word.size() <= 7 ? 2 : 3;
+  const std::size_t allowed = word.size() <= 4 ? 1 : word.size() <= 8 ? 2 : 3;
   std::size_t best = allowed + 1;
   std::string_view found;
   std::vector<std::size_t> row;

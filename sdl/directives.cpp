@@ -12,7 +12,8 @@ namespace {
 // After an error the others have said themselves where to read on.
 bool skips_rest(Keyword keyword) {
   return keyword == Keyword::k_declare || keyword == Keyword::k_local ||
-         keyword == Keyword::k_version || keyword == Keyword::k_undef;
+         keyword == Keyword::k_version || keyword == Keyword::k_undef ||
+         (keyword >= Keyword::k_render && keyword <= Keyword::k_write);
 }
 
 }  // namespace

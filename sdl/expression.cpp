@@ -153,9 +153,9 @@ Numbers Parser::factor() {
 Numbers Parser::primary(Token token) {
   if (token.kind == Kind::number) return postfix(Numbers(token.number));
   if (token.is('(')) {
-    const Group group(*this);
+    Group group(*this);
     const Numbers value = choice();
-    expect(')');
+    group.close(')');
     return postfix(value);
   }
   if (token.is('<')) {
@@ -212,7 +212,7 @@ Numbers Parser::member(const Numbers& value) {
 
 // What stands between `<` and `>`: floats, commas where wanted.
 std::vector<double> Parser::components() {
-  const Group group(*this);
+  Group group(*this);
   std::vector<double> numbers;
   do {
     numbers.push_back(number());
@@ -220,7 +220,7 @@ std::vector<double> Parser::components() {
     if (numbers.size() > options_.limits.items) throw LimitReached{"Out of memory."};
   } while (!peek().is('>'));
   if (numbers.size() == 1) fail("numeric expression", next());
-  next();
+  group.close('>');
   return numbers;
 }
 

@@ -24,8 +24,15 @@ class Lexer {
         break;
       }
       one();
+      end_line_ = line_;
+      end_column_ = column();
     }
-    push(Kind::end);
+    // The end is told where the last word ended, not after the blank lines that follow it.
+    Lexeme& end = push(Kind::end);
+    if (end_line_ > 0) {
+      end.line = end_line_;
+      end.column = end_column_;
+    }
   }
 
  private:
@@ -154,8 +161,7 @@ class Lexer {
     while (is_letter(at(blanks + length))) ++length;
     const Symbol symbol = symbols_.intern(text_.substr(position_ + blanks, length));
     if (length == 0 || class_of(symbol) != KeywordClass::directive) {
-      push(Kind::mark, '#');
-      advance();
+      advance();  // as in POV-Ray, a `#` before anything else is nothing
       return;
     }
     push(Kind::directive, symbol).link = no_link;
@@ -180,7 +186,7 @@ class Lexer {
   Symbols& symbols_;
   std::size_t most_;
   std::size_t position_ = 0, line_start_ = 0;
-  std::uint32_t line_ = 1;
+  std::uint32_t line_ = 1, end_line_ = 0, end_column_ = 0;
 };
 
 }  // namespace

@@ -54,7 +54,7 @@ void Parser::call_macro(const Token& name, MacroPtr macro) {
   std::vector<CellPtr> arguments;
   expect('(');
   {
-    const Group group(*this);
+    Group group(*this);
     const std::size_t wanted = macro->parameters.size();
     while (arguments.size() < wanted) {
       if (peek().is(')')) {
@@ -65,7 +65,7 @@ void Parser::call_macro(const Token& name, MacroPtr macro) {
       arguments.push_back(argument());
       accept(',');
     }
-    expect(')');
+    group.close(')');
   }
   int running = 0;
   for (const Frame& f : frames_) running += f.macro ? 1 : 0;

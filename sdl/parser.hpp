@@ -82,8 +82,10 @@ class Parser {
   struct Group {  // inside ( ), < > or [ ]
     explicit Group(Parser& parser) : nest(parser), parser_(parser) { ++parser_.grouping_; }
     ~Group();
+    void close(char mark);  // reads the closing mark
     Nest nest;
     Parser& parser_;
+    bool open = true;
   };
 
   // parse.cpp: the whole
@@ -118,6 +120,7 @@ class Parser {
   std::string hint(const Token& token) const;
   [[noreturn]] void fail(const std::string& expected, const Token& found);
   [[noreturn]] void fail_in(const std::string& block, const Token& found);
+  [[noreturn]] void fail_before(const Token& word, const Token& after);
   [[noreturn]] void fail_with(const Token& found, const std::string& message);
   Mark mark();
   void unwind(const Mark& mark);

@@ -11,8 +11,11 @@ class Printer {
     const Item* before = nullptr;
     for (const Item& item : items) {
       // Without the comma `1 -1` would be 0, and `rgb 1 filter 2` one colour.
-      if (before && !before->word() && !before->block() && !item.block()) out += ',';
-      newline();
+      const bool value_before = before && !before->word() && !before->block();
+      if (value_before && !item.block()) out += ',';
+      const bool same_line = before && !item.word() && !item.block() && !before->block();
+      if (same_line) out += ' ';
+      else newline();
       one(item);
       before = &item;
     }

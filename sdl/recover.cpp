@@ -1,4 +1,5 @@
 // Errors: worded as POV-Ray words them, told once, and skipped to where reading on makes sense.
+#include <algorithm>
 #include <cstdio>
 
 #include "parser.hpp"
@@ -10,6 +11,9 @@ void Parser::report(const Failure& failure) {
   const Location& at = failure.where;
   if (!told_.insert({failure.message, {at.file, at.line, at.column}}).second) return;
   result_.diagnostics.error(at, failure.message);
+  // A loop may wait for what the error has prevented: what is left is read to find more errors only.
+  constexpr std::size_t steps_after_error = 2'000'000;
+  steps_left_ = std::min(steps_left_, steps_after_error);
   if (result_.diagnostics.error_count() >= options_.most_errors) {
     result_.diagnostics.note(at, "Too many errors; the rest of the scene was not read.");
     throw Halt{};
@@ -65,7 +69,9 @@ std::string Parser::hint(const Token& token) const {
   if (!token.undeclared()) return "";
   std::vector<std::string> known = options_.reserved;
   scope_.each_name([&](Symbol s) { known.push_back(symbols_.text(s)); });
-  for (Symbol s = 0; s < static_cast<Symbol>(Keyword::count); ++s) known.push_back(symbols_.text(s));
+  for (Symbol s = 0; s < static_cast<Symbol>(Keyword::count); ++s) {
+    if (class_of(s) != KeywordClass::directive) known.push_back(symbols_.text(s));
+  }
   const std::string near = nearest_word(symbols_.text(token.index), known);
   return near.empty() ? "" : "\ndid you mean '" + near + "'?";
 }

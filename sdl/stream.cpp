@@ -12,7 +12,14 @@ Parser::Nest::Nest(Parser& parser) : parser_(parser) {
   ++parser.nesting_;
 }
 
+void Parser::Group::close(char mark) {
+  parser_.expect(mark);
+  open = false;
+  --parser_.grouping_;
+}
+
 Parser::Group::~Group() {
+  if (!open) return;
   --parser_.grouping_;
   if (std::uncaught_exceptions() > 0) ++parser_.groups_lost_;
 }
@@ -29,7 +36,10 @@ void Parser::pop_frame() {
 }
 
 void Parser::take_step() {
-  if (steps_left_ == 0) throw LimitReached{"The scene takes too many steps: does a loop never end?"};
+  if (steps_left_ == 0) {
+    if (result_.diagnostics.failed()) throw Halt{};
+    throw LimitReached{"The scene takes too many steps: does a loop never end?"};
+  }
   --steps_left_;
 }
 

@@ -74,7 +74,7 @@ std::string date_text(double days, const std::string& format) {
 
 TextPtr Parser::string_call(const Token& name) {
   expect('(');
-  const Group group(*this);
+  Group group(*this);
   std::string out;
   switch (static_cast<Keyword>(name.index)) {
     case Keyword::k_chr: {
@@ -108,7 +108,7 @@ TextPtr Parser::string_call(const Token& name) {
     case Keyword::k_substr: out = substr_call(name.where); break;
     default: out = vector_text(name.where); break;
   }
-  expect(')');
+  group.close(')');
   return make_text(std::move(out));
 }
 

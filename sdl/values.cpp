@@ -39,9 +39,9 @@ Value Parser::array_value() {
   const std::size_t most = options_.limits.items;
   while (peek_operator().is('[')) {
     next();
-    const Group group(*this);
+    Group group(*this);
     const double size = number();
-    expect(']');
+    group.close(']');
     if (!(size >= 1)) throw Failure{where, "Invalid dimension size for an array"};
     if (dimensions.size() == most_dimensions) throw Failure{where, "Too many array dimensions"};
     if (size > static_cast<double>(most / count)) throw Failure{where, "Too large an array."};
@@ -59,7 +59,7 @@ Value Parser::array_value() {
 
 void Parser::array_initialiser(Array& array, std::size_t dimension, std::size_t& at) {
   expect('{');
-  const Group group(*this);
+  Group group(*this);
   std::size_t stride = 1;
   for (std::size_t d = dimension + 1; d < array.dimensions.size(); ++d) stride *= array.dimensions[d];
   const std::size_t start = at;
@@ -78,9 +78,9 @@ CellPtr Parser::subscripted(const Token& name, ArrayPtr array) {
   std::size_t index = 0;
   for (const std::size_t size : array->dimensions) {
     expect('[');
-    const Group group(*this);
+    Group group(*this);
     const double at = std::floor(number() + 1e-10);
-    expect(']');
+    group.close(']');
     if (at < 0) throw Failure{name.where, "Negative subscript"};
     if (!(at < static_cast<double>(size))) {
       throw Failure{name.where, "Array subscript out of range"};
