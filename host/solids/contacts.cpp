@@ -1,5 +1,6 @@
-// Contacts: coplanar faces whose polygons overlap. The part in contact is the face inside those edges of
-// the other polygon that cut it, so nothing is constructed and a face wholly covered has no edges.
+// Contacts: coplanar faces whose polygons overlap. The part in contact is the face inside those
+// edges of the other polygon that cut it, so nothing is constructed and a face wholly covered has
+// no edges.
 #include "contacts.hpp"
 
 #include <algorithm>
@@ -17,7 +18,8 @@ bool cuts(const ExactPlane& edge, const Polygon& polygon) {
                      [&](const ExactPoint& corner) { return side(edge, corner) > 0; });
 }
 
-// Two convex polygons of one plane share an area unless a line through an edge of either parts them.
+// Two convex polygons of one plane share an area unless a line through an edge of either parts
+// them.
 bool share_area(const Polygon& a, const Polygon& b) {
   for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
     for (const ExactPlane& edge : one->edges) {
@@ -33,8 +35,13 @@ bool coplanar(const ExactPlane& a, const ExactPlane& b) { return same(a, b) || o
 class ContactFinder {
  public:
   ContactFinder(const Scene& scene, const Parts& parts, const Nesting& nesting,
-                const std::vector<ExactPoint>& centres, Geometry& geometry, sdl::Diagnostics& diagnostics)
-      : scene_(scene), parts_(parts), nesting_(nesting), centres_(centres), geometry_(geometry),
+                const std::vector<ExactPoint>& centres, Geometry& geometry,
+                sdl::Diagnostics& diagnostics)
+      : scene_(scene),
+        parts_(parts),
+        nesting_(nesting),
+        centres_(centres),
+        geometry_(geometry),
         diagnostics_(diagnostics) {}
 
   void run() {
@@ -69,10 +76,15 @@ class ContactFinder {
 
   int face_index(int part, int face) const { return geometry_.cells[part + 1].first_face + face; }
 
+  // What shines by itself hides what is behind it.
+  bool shines(const Patch& patch) const { return geometry_.faces[patch.face].emission >= 0; }
+
   void add_patch(int part, const Polygon& face, const Polygon& other, Patch patch) {
+    if (shines(patch)) return;
     for (int i = 0; i < size_of(other.edges); ++i) {
       if (!cuts(other.edges[i], face)) continue;
-      patch.edges.push_back(local_plane(upright(face.plane, other.edges[i], other.corners[i]), centre(part)));
+      patch.edges.push_back(
+          local_plane(upright(face.plane, other.edges[i], other.corners[i]), centre(part)));
     }
     found_.push_back({part + 1, std::move(patch)});
   }
@@ -139,13 +151,12 @@ class ContactFinder {
       patch.sheet = index;
       patch.emission = geometry_.sheets[index].emission;
       patch.behind = patch.emission >= 0 ? Patch::Behind::light : Patch::Behind::polarizer;
-      patch.back = patch.emission >= 0 && scene_.emissions[patch.emission].one_sided &&
-                   same(face.plane, sheet.polygon.plane);
       if (!sheet.is_disc) {
         if (share_area(face, sheet.polygon)) add_patch(part, face, sheet.polygon, std::move(patch));
-      } else if (disc_covers_some(sheet, face.plane, face.corners)) {
+      } else if (!shines(patch) && disc_covers_some(sheet, face.plane, face.corners)) {
         patch.has_disc = true;
-        patch.disc = {rounded_difference(sheet.centre, centre(part)), sheet.radius_mm, sheet.hole_radius_mm};
+        patch.disc = {rounded_difference(sheet.centre, centre(part)), sheet.radius_mm,
+                      sheet.hole_radius_mm};
         found_.push_back({part + 1, std::move(patch)});
       }
     }
@@ -154,21 +165,23 @@ class ContactFinder {
   // Of two sheets in one place none is in front.
   void refuse_stacked(int a, int b) {
     const SheetPart &first = parts_.sheets[a], &second = parts_.sheets[b];
-    if (first.object == second.object || !coplanar(first.polygon.plane, second.polygon.plane)) return;
+    if (first.object == second.object || !coplanar(first.polygon.plane, second.polygon.plane))
+      return;
     bool overlap = false;
     if (first.is_disc && second.is_disc) {
       overlap = discs_overlap(first, second);
     } else if (first.is_disc || second.is_disc) {
-      const SheetPart &disc = first.is_disc ? first : second, &other = first.is_disc ? second : first;
+      const SheetPart &disc = first.is_disc ? first : second,
+                      &other = first.is_disc ? second : first;
       overlap = disc_covers_some(disc, other.polygon.plane, other.polygon.corners);
     } else {
       overlap = share_area(first.polygon, second.polygon);
     }
     if (!overlap) return;
-    diagnostics_.error(scene_.objects[second.object].where,
-                       name_of(scene_.objects[first.object]) + " and " +
-                           name_of(scene_.objects[second.object]) +
-                           " lie in the same place; set them apart, or give the light the polarizer");
+    diagnostics_.error(
+        scene_.objects[second.object].where,
+        name_of(scene_.objects[first.object]) + " and " + name_of(scene_.objects[second.object]) +
+            " lie in the same place; set them apart, or give the light the polarizer");
   }
 
   // Patches by cell and face; where several cover the same place, the first counts.
@@ -195,7 +208,8 @@ Plane local_plane(const ExactPlane& plane, const ExactPoint& centre) {
 }
 
 void find_contacts(const Scene& scene, const Parts& parts, const Nesting& nesting,
-                   const std::vector<ExactPoint>& centres, Geometry& geometry, sdl::Diagnostics& diagnostics) {
+                   const std::vector<ExactPoint>& centres, Geometry& geometry,
+                   sdl::Diagnostics& diagnostics) {
   ContactFinder(scene, parts, nesting, centres, geometry, diagnostics).run();
 }
 

@@ -35,7 +35,8 @@ DiscSide disc_side(const ExactPlane& plane, const SheetPart& disc) {
   return height < 0 ? DiscSide::inside : DiscSide::outside;
 }
 
-bool disc_covers_some(const SheetPart& disc, const ExactPlane& plane, const std::vector<ExactPoint>& corners) {
+bool disc_covers_some(const SheetPart& disc, const ExactPlane& plane,
+                      const std::vector<ExactPoint>& corners) {
   const Vec3 normal = unit_normal(plane);
   std::vector<Vec3> p;
   for (const ExactPoint& corner : corners) p.push_back(rounded_difference(corner, disc.centre));

@@ -18,7 +18,8 @@ void divide_by_content(std::array<Integer, n>& values) {
     if (content == 1) return;
   }
   if (content == 0) return;
-  for (Integer& value : values) mpz_divexact(value.get_mpz_t(), value.get_mpz_t(), content.get_mpz_t());
+  for (Integer& value : values)
+    mpz_divexact(value.get_mpz_t(), value.get_mpz_t(), content.get_mpz_t());
 }
 
 // The doubles as integers times one shared power of two, which is left out.
@@ -117,8 +118,8 @@ bool opposite(const ExactPlane& a, const ExactPlane& b) {
 }
 
 int side(const ExactPlane& plane, const ExactPoint& point) {
-  // Rounded copies are off by 2^-52 each; four products and three sums add less than 5 x 2^-53 each.
-  // 1e-300 covers components that underflow.
+  // Rounded copies are off by 2^-52 each; four products and three sums add less than 5 x 2^-53
+  // each. 1e-300 covers components that underflow.
   double sum = 0, magnitude = 0;
   for (int i = 0; i < 4; ++i) {
     const double term = plane.approx[i] * point.approx[i];
@@ -128,8 +129,8 @@ int side(const ExactPlane& plane, const ExactPoint& point) {
   const double bound = 2e-15 * magnitude + 1e-300;
   if (sum > bound) return 1;
   if (sum < -bound) return -1;
-  const Integer exact = plane.v[0] * point.v[0] + plane.v[1] * point.v[1] + plane.v[2] * point.v[2] +
-                        plane.v[3] * point.v[3];
+  const Integer exact = plane.v[0] * point.v[0] + plane.v[1] * point.v[1] +
+                        plane.v[2] * point.v[2] + plane.v[3] * point.v[3];
   return sgn(exact);
 }
 
@@ -141,7 +142,9 @@ ExactPlane through(const ExactPoint& p, const ExactPoint& q, const ExactPoint& r
   return ExactPlane(orthogonal(p.v, q.v, r.v));
 }
 
-Integer dot(const Integer3& a, const Integer3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Integer dot(const Integer3& a, const Integer3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 Integer3 cross(const Integer3& a, const Integer3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -185,8 +188,8 @@ ExactAffine::ExactAffine(const std::vector<Affine>& list) : w_(1) {
         product[3 * i + j] =
             linear_[i][0] * next[j] + linear_[i][1] * next[3 + j] + linear_[i][2] * next[6 + j];
       }
-      product[9 + j] =
-          shift_[0] * next[j] + shift_[1] * next[3 + j] + shift_[2] * next[6 + j] + w_ * next[9 + j];
+      product[9 + j] = shift_[0] * next[j] + shift_[1] * next[3 + j] + shift_[2] * next[6 + j] +
+                       w_ * next[9 + j];
     }
     product[12] = w_ * next[12];
     divide_by_content(product);
@@ -263,7 +266,8 @@ Vec3 unit_normal(const ExactPlane& plane) {
   Integer3 normal = plane.normal();
   divide_by_content(normal);
   const Length size = length(normal);
-  return {quotient(normal[0] << size.shift, size.root), quotient(normal[1] << size.shift, size.root),
+  return {quotient(normal[0] << size.shift, size.root),
+          quotient(normal[1] << size.shift, size.root),
           quotient(normal[2] << size.shift, size.root)};
 }
 

@@ -1,7 +1,7 @@
-// Exact points, planes and transforms: homogeneous integers, so nothing is ever rounded before output.
-// A double is an integer times a power of two; planes, corners and transforms made of doubles by
-// products and determinants therefore stay ratios of integers. Signs are first asked of a rounded copy
-// with an error bound, and of the integers only when that cannot tell.
+// Exact points, planes and transforms: homogeneous integers, so nothing is ever rounded before
+// output. A double is an integer times a power of two; planes, corners and transforms made of
+// doubles by products and determinants therefore stay ratios of integers. Signs are first asked of
+// a rounded copy with an error bound, and of the integers only when that cannot tell.
 #pragma once
 #include <gmpxx.h>
 
@@ -58,11 +58,12 @@ ExactPlane through(const ExactPoint& p, const ExactPoint& q, const ExactPoint& r
 Integer dot(const Integer3& a, const Integer3& b);
 Integer3 cross(const Integer3& a, const Integer3& b);
 
-// The plane across `plane` through u and v (both on it), outward to the right of u -> v seen from its
-// outer side: the boundary of a polygon that runs counter-clockwise.
+// The plane across `plane` through u and v (both on it), outward to the right of u -> v seen from
+// its outer side: the boundary of a polygon that runs counter-clockwise.
 ExactPlane edge_plane(const ExactPlane& plane, const ExactPoint& u, const ExactPoint& v);
 
-// The plane that stands upright on `plane` and cuts it in the same line as `cut`, which holds `on_both`.
+// The plane that stands upright on `plane` and cuts it in the same line as `cut`, which holds
+// `on_both`.
 ExactPlane upright(const ExactPlane& plane, const ExactPlane& cut, const ExactPoint& on_both);
 
 // A list of transforms composed exactly: p' = (p L + t) / w.

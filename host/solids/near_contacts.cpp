@@ -17,7 +17,8 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
 
 double area(const std::vector<Vec3>& p, const Vec3& normal) {
   double sum = 0;
-  for (std::size_t i = 1; i + 1 < p.size(); ++i) sum += dot(cross(p[i] - p[0], p[i + 1] - p[0]), normal) / 2;
+  for (std::size_t i = 1; i + 1 < p.size(); ++i)
+    sum += dot(cross(p[i] - p[0], p[i + 1] - p[0]), normal) / 2;
   return std::abs(sum);
 }
 
@@ -48,12 +49,13 @@ struct Flat {
   std::vector<ExactPoint> exact_corners;
 };
 
-// The largest distance of the corners of b from the plane of a, or 0 if they touch exactly, lie farther
-// than `near_mm`, or face each other nowhere.
+// The largest distance of the corners of b from the plane of a, or 0 if they touch exactly, lie
+// farther than `near_mm`, or face each other nowhere.
 double gap_mm(const Flat& a, const Flat& b, double near_mm) {
   double largest = 0;
   for (const ExactPoint& corner : b.exact_corners) {
-    if (side(*a.plane, corner) != 0) largest = std::max(largest, std::abs(distance(*a.plane, corner)));
+    if (side(*a.plane, corner) != 0)
+      largest = std::max(largest, std::abs(distance(*a.plane, corner)));
     if (largest > near_mm) return 0;
   }
   if (largest == 0) return 0;
@@ -71,7 +73,8 @@ class NearContacts {
     const Polyhedron &first = parts_.solids[a].body, &second = parts_.solids[b].body;
     for (int f = 0; f < size_of(first.faces); ++f) {
       for (int g = 0; g < size_of(second.faces); ++g) {
-        if (!maybe(face(a, f), face(b, g))) continue;
+        const ExactPlane &p = first.faces[f].plane, &q = second.faces[g].plane;
+        if (same(p, q) || opposite(p, q) || !maybe(face(a, f), face(b, g))) continue;
         compare(flat(a, f), flat(b, g), parts_.solids[a].object, parts_.solids[b].object);
       }
     }
@@ -93,10 +96,11 @@ class NearContacts {
   void tell(sdl::Diagnostics& diagnostics) const {
     for (const auto& [objects, gap] : gaps_) {
       const Object &first = scene_.objects[objects.first], &second = scene_.objects[objects.second];
-      diagnostics.warning(second.where, name_of(first) + " and " + name_of(second) + " come within " +
-                                            text_of(gap) +
-                                            " mm without touching: where they should touch, write the same "
-                                            "numbers and transforms in both");
+      diagnostics.warning(second.where,
+                          name_of(first) + " and " + name_of(second) + " come within " +
+                              text_of(gap) +
+                              " mm without touching: where they should touch, write the same "
+                              "numbers and transforms in both");
     }
   }
 
@@ -112,8 +116,8 @@ class NearContacts {
   }
 
   Flat flat(int part, int f) const {
-    return {&parts_.solids[part].body.faces[f].plane, face(part, f).plane.normal, &face(part, f).corners,
-            parts_.solids[part].body.polygon(f).corners};
+    return {&parts_.solids[part].body.faces[f].plane, face(part, f).plane.normal,
+            &face(part, f).corners, parts_.solids[part].body.polygon(f).corners};
   }
 
   static bool parallel(const Vec3& a, const Vec3& b) {
@@ -152,7 +156,9 @@ class NearContacts {
       if (!parallel(other.normal, normal) || side(*other.plane, disc.centre) == 0) continue;
       const double gap = std::abs(distance(*other.plane, disc.centre));
       const Vec3 c = rounded(disc.centre);
-      const auto beyond = [&](const Vec3& p) { return std::sqrt(dot(p - c, p - c)) > disc.radius_mm; };
+      const auto beyond = [&](const Vec3& p) {
+        return std::sqrt(dot(p - c, p - c)) > disc.radius_mm;
+      };
       if (gap > near_mm_) continue;
       const std::vector<Vec3> foot{c};
       const bool over_face = !over(foot, *other.corners, other.normal).empty();
@@ -164,8 +170,9 @@ class NearContacts {
 
 }  // namespace
 
-void warn_of_near_contacts(const Scene& scene, const Parts& parts, const Nesting& nesting, double near_mm,
-                           const Geometry& geometry, sdl::Diagnostics& diagnostics) {
+void warn_of_near_contacts(const Scene& scene, const Parts& parts, const Nesting& nesting,
+                           double near_mm, const Geometry& geometry,
+                           sdl::Diagnostics& diagnostics) {
   NearContacts near(scene, parts, near_mm, geometry);
   for (const auto& [a, b] : nesting.neighbours) {
     if (parts.solids[a].object != parts.solids[b].object) near.solids(a, b);

@@ -18,7 +18,8 @@ double overlap_depth_mm(const Polyhedron& a, const Polyhedron& b) {
   for (const auto& [body, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
     for (const Polyhedron::Face& face : body->faces) {
       double depth = 0;
-      for (const ExactPoint& corner : other->corners) depth = std::max(depth, -distance(face.plane, corner));
+      for (const ExactPoint& corner : other->corners)
+        depth = std::max(depth, -distance(face.plane, corner));
       least = std::min(least, depth);
     }
   }
@@ -35,8 +36,8 @@ bool covered(const Polyhedron& inner, const std::vector<SolidPart>& solids, int 
 }
 
 int parts_of(const std::vector<SolidPart>& solids, int object) {
-  return static_cast<int>(std::count_if(solids.begin(), solids.end(),
-                                        [&](const SolidPart& part) { return part.object == object; }));
+  return static_cast<int>(std::count_if(
+      solids.begin(), solids.end(), [&](const SolidPart& part) { return part.object == object; }));
 }
 
 std::string overlap_message(const Scene& scene, const std::vector<SolidPart>& solids, int a, int b,
@@ -47,7 +48,9 @@ std::string overlap_message(const Scene& scene, const std::vector<SolidPart>& so
   for (const auto& [outer, inner] : {std::pair(a, b), std::pair(b, a)}) {
     const int object = solids[outer].object;
     if (parts_of(solids, object) > 1 && covered(solids[inner].body, solids, object)) {
-      return names + ": one lies inside the other across several of its convex parts; split the inner one there";
+      return names +
+             ": one lies inside the other across several of its convex parts; split the inner one "
+             "there";
     }
   }
   const std::string message = names + " overlap; solids may touch or lie wholly inside one another";
@@ -57,7 +60,8 @@ std::string overlap_message(const Scene& scene, const std::vector<SolidPart>& so
          " mm only: where they should touch, write the same numbers and transforms in both";
 }
 
-int deepest(const std::vector<int>& containers, const std::vector<std::vector<int>>& containers_of) {
+int deepest(const std::vector<int>& containers,
+            const std::vector<std::vector<int>>& containers_of) {
   int best = -1;
   for (int c : containers) {
     if (best < 0 || containers_of[c].size() > containers_of[best].size()) best = c;
@@ -138,7 +142,8 @@ Lie lie_of_disc(const SheetPart& sheet, const Polyhedron& body) {
   return disc_covers_some(sheet, section.plane, section.corners) ? Lie::across : Lie::outside;
 }
 
-// The piece inside the body replaces `sheet`; what is outside goes to `rest`. False: they do not meet.
+// The piece inside the body replaces `sheet`; what is outside goes to `rest`. False: they do not
+// meet.
 bool split(SheetPart& sheet, const Polyhedron& body, std::vector<SheetPart>& rest) {
   SheetPart inner = sheet;
   std::vector<SheetPart> outer;
@@ -156,19 +161,22 @@ bool split(SheetPart& sheet, const Polyhedron& body, std::vector<SheetPart>& res
 }
 
 // Places one sheet against the solids near it; its pieces, each with what it lies in.
-std::vector<SheetPart> placed(const Scene& scene, const SheetPart& sheet, const std::vector<int>& near,
-                              const Parts& parts, const Nesting& nesting, sdl::Diagnostics& diagnostics) {
+std::vector<SheetPart> placed(const Scene& scene, const SheetPart& sheet,
+                              const std::vector<int>& near, const Parts& parts,
+                              const Nesting& nesting, sdl::Diagnostics& diagnostics) {
   std::vector<SheetPart> pieces{sheet};
   for (int s : near) {
     const SolidPart& solid = parts.solids[s];
     const std::size_t count = pieces.size();
     for (std::size_t i = 0; i < count; ++i) {
       if (disjoint(pieces[i].bounds, solid.bounds)) continue;
-      Lie lie = sheet.is_disc ? lie_of_disc(sheet, solid.body) : lie_of_polygon(pieces[i].polygon, solid.body);
+      Lie lie = sheet.is_disc ? lie_of_disc(sheet, solid.body)
+                              : lie_of_polygon(pieces[i].polygon, solid.body);
       if (lie == Lie::across && sheet.is_disc) {
         diagnostics.error(scene.objects[sheet.object].where,
                           name_of(scene.objects[sheet.object]) + " passes through the surface of " +
-                              name_of(scene.objects[solid.object]) + "; make it a polygon to have it cut there");
+                              name_of(scene.objects[solid.object]) +
+                              "; make it a polygon to have it cut there");
         continue;
       }
       if (lie == Lie::across && split(pieces[i], solid.body, pieces)) lie = Lie::inside;
@@ -181,7 +189,8 @@ std::vector<SheetPart> placed(const Scene& scene, const SheetPart& sheet, const 
 
 }  // namespace
 
-void place_sheets(const Scene& scene, Parts& parts, const Nesting& nesting, sdl::Diagnostics& diagnostics) {
+void place_sheets(const Scene& scene, Parts& parts, const Nesting& nesting,
+                  sdl::Diagnostics& diagnostics) {
   const int solid_count = size_of(parts.solids);
   std::vector<Bounds> boxes;
   for (const SolidPart& part : parts.solids) boxes.push_back(part.bounds);
@@ -201,7 +210,8 @@ void place_sheets(const Scene& scene, Parts& parts, const Nesting& nesting, sdl:
   parts.sheets = std::move(out);
 }
 
-int part_around(const ExactPoint& point, const Parts& parts, const Nesting& nesting, bool& on_surface) {
+int part_around(const ExactPoint& point, const Parts& parts, const Nesting& nesting,
+                bool& on_surface) {
   int around = -1;
   on_surface = false;
   for (int i = 0; i < size_of(parts.solids); ++i) {

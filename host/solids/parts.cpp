@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "flat.hpp"
 #include "planar.hpp"
 
 namespace nicol::solids {
@@ -16,7 +17,8 @@ bool finite(double v) { return std::isfinite(v); }
 bool finite(const Vec3& p) { return finite(p.x) && finite(p.y) && finite(p.z); }
 
 std::string text_of(const Vec3& v) {
-  return "<" + solids::text_of(v.x) + ", " + solids::text_of(v.y) + ", " + solids::text_of(v.z) + ">";
+  return "<" + solids::text_of(v.x) + ", " + solids::text_of(v.y) + ", " + solids::text_of(v.z) +
+         ">";
 }
 
 // Builds the parts of one object; every method tells what is wrong at the object's place.
@@ -45,7 +47,9 @@ class Maker {
   sdl::Diagnostics& diagnostics_;
   std::optional<ExactAffine> affine_;
 
-  void error(const std::string& what) { diagnostics_.error(object_.where, object_.kind + " " + what); }
+  void error(const std::string& what) {
+    diagnostics_.error(object_.where, object_.kind + " " + what);
+  }
 
   // ---- solids ----
   void add_solid(Polyhedron body) {
@@ -86,7 +90,8 @@ class Maker {
     if (!finite_contours(shape.contours) || !finite(shape.y_min) || !finite(shape.y_max)) {
       return error("has a number that is not finite");
     }
-    const double y_min = std::min(shape.y_min, shape.y_max), y_max = std::max(shape.y_min, shape.y_max);
+    const double y_min = std::min(shape.y_min, shape.y_max),
+                 y_max = std::max(shape.y_min, shape.y_max);
     if (y_min == y_max) return error("has no height");
     const std::vector<PlanarPiece> pieces = convex_pieces(shape.contours);
     if (pieces.empty()) return error("has an outline that encloses no area");
@@ -95,7 +100,8 @@ class Maker {
                                      ExactPlane(HalfSpace{{0, 1, 0}, y_max})};
       for (int i = 0; i < size_of(piece.corners); ++i) {
         // The line through two points of the plane is their cross product, negative on the right.
-        const Integer3 line = cross(piece.corners[i], piece.corners[(i + 1) % size_of(piece.corners)]);
+        const Integer3 line =
+            cross(piece.corners[i], piece.corners[(i + 1) % size_of(piece.corners)]);
         planes.emplace_back(Integer4{-line[0], 0, -line[1], -line[2]});
       }
       Polyhedron body = *enclosed(planes);
@@ -121,39 +127,19 @@ class Maker {
   }
 
   // ---- sheets ----
-  // The plane of a contour: through a point, the point farthest from it, and the one farthest from their line.
-  std::optional<ExactPlane> plane_of(const std::vector<Vec3>& contour) {
-    const auto minus = [](const Vec3& a, const Vec3& b) { return Vec3{a.x - b.x, a.y - b.y, a.z - b.z}; };
-    const auto across = [](const Vec3& a, const Vec3& b) {
-      return std::hypot(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-    };
-    if (contour.size() < 3) return std::nullopt;
-    std::size_t far = 0, off = 0;
-    double length = 0, width = 0;
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const Vec3 d = minus(contour[i], contour[0]);
-      const double size = std::hypot(d.x, d.y, d.z);
-      if (size > length) length = size, far = i;
-    }
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const double size = across(minus(contour[far], contour[0]), minus(contour[i], contour[0]));
-      if (size > width) width = size, off = i;
-    }
-    if (width == 0) return std::nullopt;
-    return through(ExactPoint(contour[0]), ExactPoint(contour[far]), ExactPoint(contour[off]));
-  }
-
   void warn_if_not_flat(const PolygonShape& shape, const ExactPlane& plane) {
     double size = 0, off = 0;
     for (const auto& contour : shape.contours) {
       for (const Vec3& p : contour) {
         const Vec3 d = rounded_difference(ExactPoint(p), ExactPoint(shape.contours[0][0]));
         size = std::max(size, std::hypot(d.x, d.y, d.z));
-        if (side(plane, ExactPoint(p)) != 0) off = std::max(off, std::abs(distance(plane, ExactPoint(p))));
+        if (side(plane, ExactPoint(p)) != 0)
+          off = std::max(off, std::abs(distance(plane, ExactPoint(p))));
       }
     }
     if (off <= 1e-9 * size) return;
-    diagnostics_.warning(object_.where, object_.kind + " is not flat: a point lies " + solids::text_of(off) +
+    diagnostics_.warning(object_.where, object_.kind + " is not flat: a point lies " +
+                                            solids::text_of(off) +
                                             " off its plane; it is moved there");
   }
 
@@ -163,9 +149,11 @@ class Maker {
         return error("has a point that is not finite");
       }
     }
-    std::optional<ExactPlane> plane = shape.contours.empty() ? std::nullopt : plane_of(shape.contours[0]);
+    std::optional<ExactPlane> plane =
+        shape.contours.empty() ? std::nullopt : plane_of(shape.contours[0]);
     if (!plane) return error("has no area: its points lie on one line");
-    // Contours are laid out in the two axes that the normal leans away from, then lifted back onto the plane.
+    // Contours are laid out in the two axes that the normal leans away from, then lifted back onto
+    // the plane.
     int up = 0;
     for (int k = 1; k < 3; ++k) {
       if (abs(plane->v[k]) > abs(plane->v[up])) up = k;
@@ -186,31 +174,6 @@ class Maker {
     for (const PlanarPiece& piece : pieces) add_sheet(lifted(piece, *plane, up), clockwise);
   }
 
-  // Its sign says which way round the contour runs.
-  static Integer signed_area(const std::vector<std::array<double, 2>>& contour) {
-    mpq_class sum = 0;
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const auto &p = contour[i], &q = contour[(i + 1) % contour.size()];
-      sum += mpq_class(p[0]) * mpq_class(q[1]) - mpq_class(p[1]) * mpq_class(q[0]);
-    }
-    return sum.get_num();
-  }
-
-  static Polygon lifted(const PlanarPiece& piece, const ExactPlane& plane, int up) {
-    const int u = (up + 1) % 3, v = (up + 2) % 3;
-    Polygon out;
-    out.plane = plane;
-    for (const Integer3& p : piece.corners) {
-      Integer4 lifted;
-      lifted[u] = p[0] * plane.v[up];
-      lifted[v] = p[1] * plane.v[up];
-      lifted[3] = p[2] * plane.v[up];
-      lifted[up] = -(p[0] * plane.v[u] + p[1] * plane.v[v] + p[2] * plane.v[3]);
-      out.corners.emplace_back(std::move(lifted));
-    }
-    return out;
-  }
-
   // The normal points to where the first contour is seen to run counter-clockwise, in the world.
   void add_sheet(Polygon polygon, bool clockwise) {
     polygon.plane = (*affine_)(polygon.plane);
@@ -219,7 +182,8 @@ class Maker {
     if (clockwise) std::reverse(polygon.corners.begin(), polygon.corners.end());
     const int n = size_of(polygon.corners);
     for (int i = 0; i < n; ++i) {
-      polygon.edges.push_back(edge_plane(polygon.plane, polygon.corners[i], polygon.corners[(i + 1) % n]));
+      polygon.edges.push_back(
+          edge_plane(polygon.plane, polygon.corners[i], polygon.corners[(i + 1) % n]));
     }
     SheetPart sheet;
     sheet.object = index_;
@@ -238,10 +202,12 @@ class Maker {
     }
     const ExactPoint centre(shape.centre);
     const ExactPlane upright(HalfSpace{shape.normal, 0});
-    Integer4 plane{upright.v[0] * centre.v[3], upright.v[1] * centre.v[3], upright.v[2] * centre.v[3], 0};
+    Integer4 plane{upright.v[0] * centre.v[3], upright.v[1] * centre.v[3],
+                   upright.v[2] * centre.v[3], 0};
     for (int i = 0; i < 3; ++i) plane[3] -= upright.v[i] * centre.v[i];
-    const std::optional<double> scale = scale_in(ExactPlane(plane));
-    if (!scale) return error("becomes an ellipse by its transforms; nicol renders round discs only");
+    const std::optional<double> scale = scale_in(ExactPlane(plane), *affine_);
+    if (!scale)
+      return error("becomes an ellipse by its transforms; nicol renders round discs only");
     SheetPart sheet;
     sheet.object = index_;
     sheet.is_disc = true;
@@ -257,27 +223,6 @@ class Maker {
     parts_.sheets.push_back(std::move(sheet));
   }
 
-  // The factor on lengths in a plane, if it is the same in every direction to 1e-12.
-  std::optional<double> scale_in(const ExactPlane& plane) const {
-    const Vec3 n = unit_normal(plane);
-    const double s = n.z < 0 ? -1 : 1, a = -1 / (s + n.z), b = n.x * n.y * a;
-    const Vec3 e{1 + s * n.x * n.x * a, s * b, -s * n.x};  // Duff et al. 2017: a basis without branches
-    const Vec3 f{b, s + n.y * n.y * a, -n.y};
-    const auto m = affine_->linear();
-    std::array<double, 3> e_out{}, f_out{};
-    for (int j = 0; j < 3; ++j) {
-      e_out[j] = e.x * m[0][j] + e.y * m[1][j] + e.z * m[2][j];
-      f_out[j] = f.x * m[0][j] + f.y * m[1][j] + f.z * m[2][j];
-    }
-    double ee = 0, ff = 0, ef = 0;
-    for (int j = 0; j < 3; ++j) {
-      ee += e_out[j] * e_out[j];
-      ff += f_out[j] * f_out[j];
-      ef += e_out[j] * f_out[j];
-    }
-    if (std::abs(ee - ff) > 2e-12 * ee || std::abs(ef) > 1e-12 * ee) return std::nullopt;
-    return std::sqrt((ee + ff) / 2);
-  }
 };
 
 }  // namespace

@@ -22,10 +22,10 @@ struct SolidPart {
 
 struct SheetPart {
   int object = -1;
-  int around = -1;       // the solid part that it lies in, -1: the surroundings
-  Polygon polygon;       // of a disc: only the plane
+  int around = -1;  // the solid part that it lies in, -1: the surroundings
+  Polygon polygon;  // of a disc: only the plane
   bool is_disc = false;
-  ExactPoint centre;     // disc
+  ExactPoint centre;  // disc
   double radius_mm = 0, hole_radius_mm = 0;
   Bounds bounds;
 };

@@ -1,9 +1,11 @@
-// The one file that compiles CGAL. Triangulates the contours exactly (crossings included), keeps the
-// triangles inside by the even-odd rule, and merges them greedily to convex pieces (Hertel & Mehlhorn 1983,
-// at most four times as many pieces as needed; the better of two orders is taken). Pieces meet along whole edges.
+// The one file that compiles CGAL. Triangulates the contours exactly (crossings included), keeps
+// the triangles inside by the even-odd rule, and merges them greedily to convex pieces (Hertel &
+// Mehlhorn 1983, at most four times as many pieces as needed; the better of two orders is taken).
+// Pieces meet along whole edges.
 #include "planar.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
@@ -19,12 +21,15 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<
     Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-                                               CGAL::Exact_intersections_tag>;
+using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+// With "plus", crossings are computed from whole contour edges, so that numbers do not grow from
+// cut to cut.
+using Triangulation = CGAL::Constrained_triangulation_plus_2<
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_intersections_tag>>;
 using Point = Kernel::Point_2;
 
-constexpr int outer = -1;  // Triangulation::Face::info of what lies outside, else the triangle's index
+constexpr int outer =
+    -1;  // Triangulation::Face::info of what lies outside, else the triangle's index
 
 struct ContourEdge {
   Point from, to;
@@ -56,7 +61,8 @@ bool inside_even_odd(const std::vector<ContourEdge>& edges, const Point& p) {
 int contour_edge_under(const std::vector<ContourEdge>& edges, const Point& p, const Point& q) {
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const ContourEdge& e = edges[k];
-    if (e.from == e.to || !CGAL::collinear(e.from, e.to, p) || !CGAL::collinear(e.from, e.to, q)) continue;
+    if (e.from == e.to || !CGAL::collinear(e.from, e.to, p) || !CGAL::collinear(e.from, e.to, q))
+      continue;
     const Point middle = CGAL::midpoint(p, q);
     if (CGAL::collinear_are_ordered_along_line(e.from, middle, e.to)) return static_cast<int>(k);
   }
@@ -82,8 +88,8 @@ Integer3 homogeneous(const Point& p) {
   return {x.get_num() * y.get_den(), y.get_num() * x.get_den(), x.get_den() * y.get_den()};
 }
 
-// A piece being merged: vertex indices counter-clockwise; `inner[i]`: another piece lies across the edge
-// from corner i to corner i + 1.
+// A piece being merged: vertex indices counter-clockwise; `inner[i]`: another piece lies across the
+// edge from corner i to corner i + 1.
 struct Loop {
   std::vector<int> corners;
   std::vector<bool> inner;
@@ -103,7 +109,7 @@ class Merger {
     Loop &left = loops_[p], &right = loops_[q];
     const auto at_u = find(left, u), at_v = find(right, v);
     Loop merged;
-    append(merged, left, (at_u + 1) % left.corners.size());   // v ... before u
+    append(merged, left, (at_u + 1) % left.corners.size());    // v ... before u
     append(merged, right, (at_v + 1) % right.corners.size());  // u ... before v
     if (!convex_at(merged, 0) || !convex_at(merged, left.corners.size() - 1)) return;
     left = std::move(merged);
@@ -154,7 +160,8 @@ class Merger {
   // A straight angle is good only on the boundary: elsewhere another piece would end in mid-edge.
   bool convex_at(const Loop& loop, std::size_t i) const {
     const CGAL::Orientation t = turn(loop, i);
-    const bool boundary = !loop.inner[i] && !loop.inner[(i + loop.inner.size() - 1) % loop.inner.size()];
+    const bool boundary =
+        !loop.inner[i] && !loop.inner[(i + loop.inner.size() - 1) % loop.inner.size()];
     return t == CGAL::LEFT_TURN || (t == CGAL::COLLINEAR && boundary);
   }
 };
@@ -174,13 +181,15 @@ void insert(Triangulation& triangulation, const Contours& contours) {
 std::vector<Triangulation::Face_handle> number(Triangulation& triangulation,
                                                const std::vector<ContourEdge>& edges) {
   std::vector<Triangulation::Vertex_handle> vertices;
-  for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v) {
+  for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end();
+       ++v) {
     vertices.push_back(v);
   }
   std::sort(vertices.begin(), vertices.end(),
             [](const auto& a, const auto& b) { return a->point() < b->point(); });
   for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i]->info() = static_cast<int>(i);
-  for (auto f = triangulation.all_faces_begin(); f != triangulation.all_faces_end(); ++f) f->info() = outer;
+  for (auto f = triangulation.all_faces_begin(); f != triangulation.all_faces_end(); ++f)
+    f->info() = outer;
 
   using Handle = Triangulation::Face_handle;
   std::vector<Handle> inside;
@@ -193,7 +202,8 @@ std::vector<Triangulation::Face_handle> number(Triangulation& triangulation,
     std::sort(k.begin(), k.end());
     return k;
   };
-  std::sort(inside.begin(), inside.end(), [&](const Handle& a, const Handle& b) { return key(a) < key(b); });
+  std::sort(inside.begin(), inside.end(),
+            [&](const Handle& a, const Handle& b) { return key(a) < key(b); });
   for (std::size_t i = 0; i < inside.size(); ++i) inside[i]->info() = static_cast<int>(i);
   return inside;
 }
@@ -212,7 +222,8 @@ std::vector<Diagonal> diagonals_of(const std::vector<Triangulation::Face_handle>
     for (int i = 0; i < 3; ++i) {
       const int a = f->info(), b = f->neighbor(Triangulation::cw(i))->info();
       const int u = f->vertex(i)->info(), v = f->vertex(Triangulation::ccw(i))->info();
-      if (a < b) out.push_back({a, b, u, v, CGAL::to_double(CGAL::squared_distance(points[u], points[v]))});
+      if (a < b)
+        out.push_back({a, b, u, v, CGAL::to_double(CGAL::squared_distance(points[u], points[v]))});
     }
   }
   std::stable_sort(out.begin(), out.end(),
@@ -242,7 +253,8 @@ std::vector<PlanarPiece> convex_pieces(const Contours& contours) {
   const auto inside = number(triangulation, edges);
 
   std::vector<Point> points(triangulation.number_of_vertices());
-  for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v) {
+  for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end();
+       ++v) {
     points[v->info()] = v->point();
   }
   std::vector<Loop> triangles;

@@ -29,7 +29,8 @@ std::vector<Crossing> crossings(const Polyhedron& body, const std::vector<int>& 
   return found;
 }
 
-// The part of a loop that is not outside, with the new corners on crossed edges (pairs of `crossed`).
+// The part of a loop that is not outside, with the new corners on crossed edges (pairs of
+// `crossed`).
 std::vector<int> clipped_loop(const std::vector<int>& loop, const std::vector<int>& sign,
                               const std::vector<Crossing>& crossed, int first_new) {
   std::vector<int> out;
@@ -83,7 +84,8 @@ Cut Polyhedron::cut(const ExactPlane& plane, int tag) {
   }
   sign.resize(corners.size(), 0);
 
-  // Each face that keeps some inside has at most one edge on the plane; the new face runs along it backwards.
+  // Each face that keeps some inside has at most one edge on the plane; the new face runs along it
+  // backwards.
   std::vector<Face> kept;
   std::vector<std::pair<int, int>> rim;
   for (Face& face : faces) {
@@ -151,13 +153,14 @@ Polygon Polyhedron::polygon(int face) const {
 
 namespace {
 
-// A cube around every point where three of the planes can meet: by Cramer's rule such a point is a ratio
-// of 3x3 determinants of the integers, below 6 x 2^(3 bits), over an integer of at least 1. It is larger still, so
-// that its corners show the directions in which the planes are open.
+// A cube around every point where three of the planes can meet: by Cramer's rule such a point is a
+// ratio of 3x3 determinants of the integers, below 6 x 2^(3 bits), over an integer of at least 1.
+// It is larger still, so that its corners show the directions in which the planes are open.
 Polyhedron far_cube(const std::vector<ExactPlane>& planes) {
   std::size_t bits = 1;
   for (const ExactPlane& plane : planes) {
-    for (const Integer& value : plane.v) bits = std::max(bits, mpz_sizeinbase(value.get_mpz_t(), 2));
+    for (const Integer& value : plane.v)
+      bits = std::max(bits, mpz_sizeinbase(value.get_mpz_t(), 2));
   }
   const Integer far = Integer(1) << (3 * bits + 64);
   Polyhedron cube;

@@ -1,5 +1,6 @@
-// Convex polyhedra by clipping with exact planes. Corners where many planes meet come out once, because
-// every comparison is exact; each corner is computed from three planes, so numbers do not grow.
+// Convex polyhedra by clipping with exact planes. Corners where many planes meet come out once,
+// because every comparison is exact; each corner is computed from three planes, so numbers do not
+// grow.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,8 +9,8 @@
 
 namespace nicol::solids {
 
-// A flat convex region: corners counter-clockwise seen from outside its plane; edges[i] is some plane
-// through corners i and i + 1, across `plane`, with the region inside.
+// A flat convex region: corners counter-clockwise seen from outside its plane; edges[i] is some
+// plane through corners i and i + 1, across `plane`, with the region inside.
 struct Polygon {
   ExactPlane plane;
   std::vector<ExactPoint> corners;
@@ -36,14 +37,14 @@ class Polyhedron {
   Polygon polygon(int face) const;
 };
 
-// What a list of closed half-spaces encloses. Face tags are indices into the list; planes that bound
-// nothing leave no face.
+// What a list of closed half-spaces encloses. Face tags are indices into the list; planes that
+// bound nothing leave no face.
 struct Enclosure {
   enum class State { solid, empty, unbounded };
   State state = State::solid;
   Polyhedron body;
-  int emptied_by = -1;    // empty: the plane that left no volume
-  Vec3 open_towards;      // unbounded: a direction without end
+  int emptied_by = -1;  // empty: the plane that left no volume
+  Vec3 open_towards;    // unbounded: a direction without end
 };
 Enclosure enclose(const std::vector<ExactPlane>& planes);
 

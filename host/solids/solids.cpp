@@ -11,7 +11,8 @@ namespace {
 
 using namespace solids;
 
-constexpr double near_fraction = 1e-9;  // of the scene's size: closer faces are probably meant to touch
+constexpr double near_fraction =
+    1e-9;  // of the scene's size: closer faces are probably meant to touch
 
 Bounds joined(const Bounds& a, const Bounds& b) {
   Bounds out = a;
@@ -42,7 +43,8 @@ Extents extents_of(const Parts& parts, std::size_t object_count) {
   };
   for (const SolidPart& part : parts.solids) include(part.object, part.bounds);
   for (const SheetPart& sheet : parts.sheets) include(sheet.object, sheet.bounds);
-  out.size_mm = std::hypot(all.high[0] - all.low[0], all.high[1] - all.low[1], all.high[2] - all.low[2]);
+  out.size_mm =
+      std::hypot(all.high[0] - all.low[0], all.high[1] - all.low[1], all.high[2] - all.low[2]);
   return out;
 }
 
@@ -113,8 +115,8 @@ class Writer {
     sheet.centre_mm = middles_[part.object];
     sheet.plane = local_plane(part.polygon.plane, centre);
     for (int i = 0; i < size_of(part.polygon.edges); ++i) {
-      sheet.edges.push_back(
-          local_plane(upright(part.polygon.plane, part.polygon.edges[i], part.polygon.corners[i]), centre));
+      sheet.edges.push_back(local_plane(
+          upright(part.polygon.plane, part.polygon.edges[i], part.polygon.corners[i]), centre));
       sheet.corners.push_back(rounded(part.polygon.corners[i]));
     }
     sheet.has_disc = part.is_disc;
@@ -128,8 +130,11 @@ class Writer {
     const Object& object = scene_.objects[index];
     if (object.face_emissions.empty()) return;
     // Cells lie in the order of their objects, after the surroundings.
-    const auto earlier = [](const Cell& cell, int object_index) { return cell.object < object_index; };
-    const auto first = std::lower_bound(geometry_.cells.begin(), geometry_.cells.end(), index, earlier);
+    const auto earlier = [](const Cell& cell, int object_index) {
+      return cell.object < object_index;
+    };
+    const auto first =
+        std::lower_bound(geometry_.cells.begin(), geometry_.cells.end(), index, earlier);
     const auto last = std::lower_bound(first, geometry_.cells.end(), index + 1, earlier);
     for (const FaceEmission& shining : object.face_emissions) {
       bool found = false;
@@ -141,8 +146,9 @@ class Writer {
         }
       }
       if (found || first == last) continue;
-      diagnostics_.warning(object.where, "face " + std::to_string(shining.face) + " of " + name_of(object) +
-                                             " should shine, but the other faces leave nothing of it");
+      diagnostics_.warning(object.where,
+                           "face " + std::to_string(shining.face) + " of " + name_of(object) +
+                               " should shine, but the other faces leave nothing of it");
     }
   }
 };
@@ -167,8 +173,9 @@ int camera_cell(const Scene& scene, const Parts& parts, const Nesting& nesting,
   bool on_surface = false;
   const int around = part_around(ExactPoint(p), parts, nesting, on_surface);
   if (on_surface) {
-    diagnostics.warning(scene.camera.where,
-                        "the camera stands exactly on a surface; it is taken to stand outside of it");
+    diagnostics.warning(
+        scene.camera.where,
+        "the camera stands exactly on a surface; it is taken to stand outside of it");
   }
   return around + 1;
 }

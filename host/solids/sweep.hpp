@@ -13,7 +13,8 @@ inline int sweep_axis(const std::vector<Bounds>& boxes) {
   std::array<double, 3> spread{};
   for (int k = 0; k < 3; ++k) {
     double mean = 0, square = 0;
-    for (const Bounds& b : boxes) mean += (b.low[k] + b.high[k]) / 2 / static_cast<double>(boxes.size());
+    for (const Bounds& b : boxes)
+      mean += (b.low[k] + b.high[k]) / 2 / static_cast<double>(boxes.size());
     for (const Bounds& b : boxes) {
       const double off = (b.low[k] + b.high[k]) / 2 - mean;
       square += off * off;
@@ -24,7 +25,8 @@ inline int sweep_axis(const std::vector<Bounds>& boxes) {
 }
 
 // Every two boxes (i < j) that come as close as `margin`, in order.
-inline std::vector<std::pair<int, int>> close_pairs(const std::vector<Bounds>& boxes, double margin) {
+inline std::vector<std::pair<int, int>> close_pairs(const std::vector<Bounds>& boxes,
+                                                    double margin) {
   std::vector<std::pair<int, int>> pairs;
   if (boxes.empty()) return pairs;
   const int axis = sweep_axis(boxes);
@@ -34,7 +36,8 @@ inline std::vector<std::pair<int, int>> close_pairs(const std::vector<Bounds>& b
     return std::make_pair(boxes[a].low[axis], a) < std::make_pair(boxes[b].low[axis], b);
   });
   const auto apart = [&](int a, int b, int k) {
-    return boxes[a].high[k] + margin < boxes[b].low[k] || boxes[b].high[k] + margin < boxes[a].low[k];
+    return boxes[a].high[k] + margin < boxes[b].low[k] ||
+           boxes[b].high[k] + margin < boxes[a].low[k];
   };
   for (int box : order) {
     std::size_t kept = 0;

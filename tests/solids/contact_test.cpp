@@ -31,8 +31,10 @@ void check_gap(const Built& built, double expected_area, const std::vector<Affin
   CHECK(a[0]->other_face == b[0]->face);
   CHECK(b[0]->other_face == a[0]->face);
   const double scale = move.empty() ? 1 : 100;
-  CHECK(patch_area(built.geometry, 1, *a[0]) == doctest::Approx(expected_area * scale).epsilon(1e-11));
-  CHECK(patch_area(built.geometry, 2, *b[0]) == doctest::Approx(expected_area * scale).epsilon(1e-11));
+  CHECK(patch_area(built.geometry, 1, *a[0]) ==
+        doctest::Approx(expected_area * scale).epsilon(1e-11));
+  CHECK(patch_area(built.geometry, 2, *b[0]) ==
+        doctest::Approx(expected_area * scale).epsilon(1e-11));
 }
 
 }  // namespace
@@ -63,14 +65,22 @@ TEST_CASE("shifted cubes touch in a part of both faces") {
 }
 
 TEST_CASE("a diamond on a square: the overlap is the octagon of both outlines") {
-  ConvexShape diamond{{{{0, -1, 0}, -1}, {{0, 1, 0}, 2}, {{1, 0, 1}, 1.5}, {{1, 0, -1}, 1.5}, {{-1, 0, 1}, 1.5}, {{-1, 0, -1}, 1.5}}};
-  for (const auto& move : moves) check_gap(pair(box({-1, 0, -1}, {1, 1, 1}), diamond, move), 4 - 4 * 0.125, move);
+  ConvexShape diamond{{{{0, -1, 0}, -1},
+                       {{0, 1, 0}, 2},
+                       {{1, 0, 1}, 1.5},
+                       {{1, 0, -1}, 1.5},
+                       {{-1, 0, 1}, 1.5},
+                       {{-1, 0, -1}, 1.5}}};
+  for (const auto& move : moves)
+    check_gap(pair(box({-1, 0, -1}, {1, 1, 1}), diamond, move), 4 - 4 * 0.125, move);
 }
 
 TEST_CASE("edges and corners alone are no contact") {
   for (const auto& move : moves) {
-    CHECK(pair(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1}), move).geometry.patches.empty());
-    CHECK(pair(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}), move).geometry.patches.empty());
+    CHECK(
+        pair(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1}), move).geometry.patches.empty());
+    CHECK(
+        pair(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}), move).geometry.patches.empty());
   }
 }
 
@@ -79,12 +89,14 @@ TEST_CASE("optical contact of either makes it one interface") {
   second.optical_contact = true;
   const Built built = build({first, second});
   REQUIRE(built.geometry.patches.size() == 2);
-  for (const Patch& patch : built.geometry.patches) CHECK(patch.behind == Patch::Behind::cell_contact);
+  for (const Patch& patch : built.geometry.patches)
+    CHECK(patch.behind == Patch::Behind::cell_contact);
 }
 
 TEST_CASE("a face that meets two others has a patch for each") {
-  const Built built = build({solid(box({0, 0, 0}, {2, 1, 1}), 1), solid(box({0, 1, 0}, {1, 2, 1}), 2),
-                             solid(box({1, 1, 0}, {2, 2, 1}), 3)});
+  const Built built =
+      build({solid(box({0, 0, 0}, {2, 1, 1}), 1), solid(box({0, 1, 0}, {1, 2, 1}), 2),
+             solid(box({1, 1, 0}, {2, 2, 1}), 3)});
   REQUIRE(built.messages.empty());
   CHECK(patches_of(built.geometry, 1).size() == 2);
   CHECK(patches_of(built.geometry, 2).size() == 2);

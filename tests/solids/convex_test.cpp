@@ -61,7 +61,8 @@ TEST_CASE("four planes through one corner give one corner: the octahedron") {
 }
 
 TEST_CASE("a quartz-like prism with two pyramids has 18 faces and its closed-form volume") {
-  // Six sides at distance 1, heights from 0.5 to the tips: a prism and two six-sided pyramids whose faces tilt 45 degrees.
+  // Six sides at distance 1, heights from 0.5 to the tips: a prism and two six-sided pyramids whose
+  // faces tilt 45 degrees.
   ConvexShape shape;
   add_ring(shape, 6, 0, 1);
   for (double sign : {1.0, -1.0}) {
@@ -78,7 +79,8 @@ TEST_CASE("a quartz-like prism with two pyramids has 18 faces and its closed-for
   CHECK(volume(built.geometry, cell) == doctest::Approx(hexagon * (1 + 2.0 / 3)).epsilon(1e-12));
 }
 
-TEST_CASE("a brilliant-like cut of 89 faces, all tangent to one sphere, closes by Euler's formula") {
+TEST_CASE(
+    "a brilliant-like cut of 89 faces, all tangent to one sphere, closes by Euler's formula") {
   ConvexShape shape;
   shape.faces.push_back({{0, 1, 0}, 1});
   add_ring(shape, 16, 0, 1, 4);
@@ -115,10 +117,10 @@ TEST_CASE("256 sides: a regular polygon's area in closed form") {
 
 TEST_CASE("planes that bound nothing leave no face; a light on one is told") {
   ConvexShape shape = box({0, 0, 0}, {1, 1, 1});
-  shape.faces.push_back({{1, 1, 0}, 5});     // far off
-  shape.faces.push_back({{1, 1, 0}, 2});     // touches an edge
-  shape.faces.push_back({{1, 1, 1}, 3});     // touches a corner
-  shape.faces.push_back({{3, 0, 0}, 3});     // face 1 again
+  shape.faces.push_back({{1, 1, 0}, 5});  // far off
+  shape.faces.push_back({{1, 1, 0}, 2});  // touches an edge
+  shape.faces.push_back({{1, 1, 1}, 3});  // touches a corner
+  shape.faces.push_back({{3, 0, 0}, 3});  // face 1 again
   Object object = solid(shape, 7);
   object.face_emissions = {{9, 2}, {3, 1}};
   const Built built = build({object});
@@ -157,7 +159,8 @@ TEST_CASE("transforms are exact, mirrors keep the outside out, offsets stay shar
   object.transforms = {rotate_x(25), rotate_y(-40), translate(1e6, -3e5, 7e5), left_to_right()};
   const Built built = build({object});
   const Cell& cell = only_cell(built);
-  CHECK(volume(built.geometry, cell) == doctest::Approx(6000).epsilon(1e-9));  // corners are at 1e7 mm
+  CHECK(volume(built.geometry, cell) ==
+        doctest::Approx(6000).epsilon(1e-9));  // corners are at 1e7 mm
   for (int i = 0; i < 6; i += 2) {
     const Plane &a = built.geometry.faces[i].plane, &b = built.geometry.faces[i + 1].plane;
     CHECK(a.normal.x == -b.normal.x);

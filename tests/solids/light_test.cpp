@@ -21,7 +21,8 @@ std::vector<std::vector<Affine>> common_moves() {
   return {{},
           {left_to_right()},
           {rotate_y(25), left_to_right()},
-          {translate(0.1, 0.2, 0.3), rotate_x(25), rotate_y(25), translate(-0.7, 1e3 / 3, 0.1), left_to_right()}};
+          {translate(0.1, 0.2, 0.3), rotate_x(25), rotate_y(25), translate(-0.7, 1e3 / 3, 0.1),
+           left_to_right()}};
 }
 
 double scale_of(const std::vector<Affine>& moves) { return moves.empty() ? 1 : 10; }
@@ -55,7 +56,8 @@ TEST_CASE("a smaller light is a patch with its own edges") {
     const Patch& patch = only_patch(built);
     CHECK(patch.edges.size() == 4);
     const double s = scale_of(moves);
-    CHECK(patch_area(built.geometry, 1, patch) == doctest::Approx(0.75 * 0.75 * s * s).epsilon(1e-11));
+    CHECK(patch_area(built.geometry, 1, patch) ==
+          doctest::Approx(0.75 * 0.75 * s * s).epsilon(1e-11));
     const Vec3 normal = built.geometry.faces[patch.face].plane.normal;
     for (const Plane& edge : patch.edges) {
       CHECK(std::abs(dot(edge.normal, normal)) < 1e-15);
@@ -80,31 +82,32 @@ TEST_CASE("a light beside the face, sharing an edge or a corner, does not touch"
 }
 
 TEST_CASE("a concave light comes in pieces whose edges between them are exactly opposite") {
-  const PolygonShape ell = polygon({{-3, 0, -3}, {-3, 0, 3}, {0.3, 0, 3}, {0.3, 0, 0.2}, {3, 0, 0.2}, {3, 0, -3}});
+  const PolygonShape ell =
+      polygon({{-3, 0, -3}, {-3, 0, 3}, {0.3, 0, 3}, {0.3, 0, 0.2}, {3, 0, 0.2}, {3, 0, -3}});
   for (const auto& moves : common_moves()) {
     const Built built = on_light(ell, moves);
     REQUIRE(built.messages.empty());
     REQUIRE(built.geometry.sheets.size() == 2);
     REQUIRE(built.geometry.patches.size() == 2);
     double area_sum = 0;
-    for (const Patch& patch : built.geometry.patches) area_sum += patch_area(built.geometry, 1, patch);
+    for (const Patch& patch : built.geometry.patches)
+      area_sum += patch_area(built.geometry, 1, patch);
     const double s = scale_of(moves);
     CHECK(area_sum == doctest::Approx((4 - 0.7 * 0.8) * s * s).epsilon(1e-11));
     int opposite_pairs = 0;
     for (const Plane& a : built.geometry.sheets[0].edges) {
       for (const Plane& b : built.geometry.sheets[1].edges) {
-        opposite_pairs += a.normal.x == -b.normal.x && a.normal.y == -b.normal.y && a.normal.z == -b.normal.z &&
-                          a.offset_mm == -b.offset_mm;
+        opposite_pairs += a.normal.x == -b.normal.x && a.normal.y == -b.normal.y &&
+                          a.normal.z == -b.normal.z && a.offset_mm == -b.offset_mm;
       }
     }
     CHECK(opposite_pairs == 1);
   }
 }
 
-TEST_CASE("the back of a one-sided light is dark") {
+TEST_CASE("a light between two solids comes before what is behind it, on both sides") {
   Scene scene = scene_of({solid(box({-1, 0, -1}, {1, 2, 1}), 1), light(floor_square(-1, 1, 0), 2),
                           solid(box({-1, -2, -1}, {1, 0, 1}), 3)});
-  scene.emissions[0].one_sided = true;
   const Built built = build(scene);
   REQUIRE(built.messages.empty());
   CHECK(built.geometry.sheets[0].plane.normal.y == 1);
@@ -112,21 +115,25 @@ TEST_CASE("the back of a one-sided light is dark") {
   REQUIRE(above.size() == 2);  // the light, and behind it the other cube
   REQUIRE(below.size() == 2);
   CHECK(above[0]->behind == Patch::Behind::light);
-  CHECK_FALSE(above[0]->back);
+  CHECK(above[0]->emission == 0);
   CHECK(above[1]->behind == Patch::Behind::cell_gap);
   CHECK(below[0]->behind == Patch::Behind::light);
-  CHECK(below[0]->back);
+  CHECK(below[0]->emission == 0);
+  CHECK(below[0]->sheet == 0);
+  CHECK(below[1]->behind == Patch::Behind::cell_gap);
 }
 
 TEST_CASE("a cube on a polarizer sheet") {
-  const Built built = build({solid(box({-1, 0, -1}, {1, 2, 1}), 1), polarizer(floor_square(-2, 2, 0), 2)});
+  const Built built =
+      build({solid(box({-1, 0, -1}, {1, 2, 1}), 1), polarizer(floor_square(-2, 2, 0), 2)});
   REQUIRE(built.geometry.patches.size() == 1);
   CHECK(built.geometry.patches[0].behind == Patch::Behind::polarizer);
   CHECK(built.geometry.patches[0].sheet == 0);
 }
 
 TEST_CASE("a cube on a disc has a ring in its own coordinates") {
-  Object cube = solid(box({-1, 0, -1}, {1, 2, 1}), 1), lamp = light(DiscShape{{0.5, 0, 0}, {0, 1, 0}, 0.75, 0.25}, 2);
+  Object cube = solid(box({-1, 0, -1}, {1, 2, 1}), 1),
+         lamp = light(DiscShape{{0.5, 0, 0}, {0, 1, 0}, 0.75, 0.25}, 2);
   cube.transforms = lamp.transforms = {rotate_x(25), translate(5, 6, 7), left_to_right()};
   const Built built = build({cube, lamp});
   const Patch& patch = only_patch(built);
@@ -151,4 +158,5 @@ TEST_CASE("a shining face of a neighbour is a light, its own face shines both wa
   CHECK(patches[0]->emission == 1);
   CHECK(patches[0]->sheet == -1);
   CHECK(built.geometry.faces[patches[0]->other_face].emission == 1);
+  CHECK(patches_of(built.geometry, 2).empty());
 }

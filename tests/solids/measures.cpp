@@ -41,8 +41,12 @@ Object polarizer(Shape shape, std::uint32_t line) {
 }
 
 ConvexShape box(const Vec3& low, const Vec3& high) {
-  return {{{{-1, 0, 0}, -low.x}, {{1, 0, 0}, high.x}, {{0, -1, 0}, -low.y},
-           {{0, 1, 0}, high.y}, {{0, 0, -1}, -low.z}, {{0, 0, 1}, high.z}}};
+  return {{{{-1, 0, 0}, -low.x},
+           {{1, 0, 0}, high.x},
+           {{0, -1, 0}, -low.y},
+           {{0, 1, 0}, high.y},
+           {{0, 0, -1}, -low.z},
+           {{0, 0, 1}, high.z}}};
 }
 PolygonShape polygon(std::vector<Vec3> points) { return {{std::move(points)}}; }
 PolygonShape floor_square(double low, double high, double y) {
@@ -106,7 +110,8 @@ Built build(std::vector<Object> objects) { return build(scene_of(std::move(objec
 
 Vec3 area_vector(const std::vector<Vec3>& p) {
   Vec3 sum;
-  for (std::size_t i = 1; i + 1 < p.size(); ++i) sum = sum + 0.5 * cross(p[i] - p[0], p[i + 1] - p[0]);
+  for (std::size_t i = 1; i + 1 < p.size(); ++i)
+    sum = sum + 0.5 * cross(p[i] - p[0], p[i + 1] - p[0]);
   return sum;
 }
 double area(const std::vector<Vec3>& p) {
@@ -126,7 +131,8 @@ double volume(const Geometry& geometry, const Cell& cell) {
 std::vector<const Patch*> patches_of(const Geometry& geometry, int cell) {
   std::vector<const Patch*> out;
   const Cell& c = geometry.cells[cell];
-  for (int p = c.first_patch; p < c.first_patch + c.patch_count; ++p) out.push_back(&geometry.patches[p]);
+  for (int p = c.first_patch; p < c.first_patch + c.patch_count; ++p)
+    out.push_back(&geometry.patches[p]);
   return out;
 }
 

@@ -17,8 +17,8 @@ Vec3 cross(const Vec3& a, const Vec3& b);
 
 // ---- objects; `line` is where they stand in the text ----
 Object solid(Shape shape, std::uint32_t line);
-Object light(Shape shape, std::uint32_t line);      // shines with emission 0
-Object polarizer(Shape shape, std::uint32_t line);  // polarizer 0
+Object light(Shape shape, std::uint32_t line);       // shines with emission 0
+Object polarizer(Shape shape, std::uint32_t line);   // polarizer 0
 ConvexShape box(const Vec3& low, const Vec3& high);  // faces -x +x -y +y -z +z
 PolygonShape polygon(std::vector<Vec3> points);
 PolygonShape floor_square(double low, double high, double y);  // seen counter-clockwise from +y

@@ -29,7 +29,8 @@ TEST_CASE("a light under a cube by 1e-17, a disc by 1e-12, and one rotated by ot
   const Object cube = solid(box({-1, 0, -1}, {1, 2, 1}), 1);
   CHECK(build({cube, light(floor_square(-2, 2, -1e-17), 2)}).says("come within 1e-17 mm"));
   CHECK(build({cube, light(floor_square(-2, 2, 1e-17), 2)}).says("come within 1e-17 mm"));
-  CHECK(build({cube, light(DiscShape{{0, -1e-12, 0}, {0, 1, 0}, 0.5, 0}, 2)}).says("come within 1e-12 mm"));
+  CHECK(build({cube, light(DiscShape{{0, -1e-12, 0}, {0, 1, 0}, 0.5, 0}, 2)})
+            .says("come within 1e-12 mm"));
   CHECK(build({cube, light(DiscShape{{8, -1e-12, 0}, {0, 1, 0}, 0.5, 0}, 2)}).messages.empty());
 
   // The same rotation written as one and as two: sin and cos differ in their last digits.
@@ -40,7 +41,8 @@ TEST_CASE("a light under a cube by 1e-17, a disc by 1e-12, and one rotated by ot
 }
 
 TEST_CASE("neighbours whose tops differ by a rounding step are no near-contact") {
-  const Built built = build({solid(box({0, 0, 0}, {1, 1, 1}), 1), solid(box({1, 0, 0}, {2, 1 + 3e-16, 1}), 2)});
+  const Built built =
+      build({solid(box({0, 0, 0}, {1, 1, 1}), 1), solid(box({1, 0, 0}, {2, 1 + 3e-16, 1}), 2)});
   CHECK(built.messages.empty());
   CHECK(built.geometry.patches.size() == 2);
 }

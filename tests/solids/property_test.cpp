@@ -1,4 +1,5 @@
-// Random solids: half-spaces tangent to a sphere close to a polyhedron whose every corner obeys every plane.
+// Random solids: half-spaces tangent to a sphere close to a polyhedron whose every corner obeys
+// every plane.
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
@@ -39,7 +40,8 @@ TEST_CASE("random half-spaces tangent to a sphere") {
     for (const Face& outer : built.geometry.faces) {
       for (const Vec3& corner : outer.corners) {
         for (const Face& face : built.geometry.faces) {
-          const double height = dot(face.plane.normal, corner - cell.centre_mm) - face.plane.offset_mm;
+          const double height =
+              dot(face.plane.normal, corner - cell.centre_mm) - face.plane.offset_mm;
           RC_ASSERT(height < 1e-12 * 100);  // coordinates reach 100 mm
           if (&face == &outer) RC_ASSERT(std::abs(height) < 1e-12 * 100);
         }
@@ -53,12 +55,14 @@ TEST_CASE("random half-spaces tangent to a sphere") {
 TEST_CASE("random stacks that share their transforms touch exactly") {
   const bool ok = rc::check([] {
     const double height = unit_number(), half = 2 + unit_number(), shift = 0.9 * unit_number();
-    std::vector<Object> objects{solid(box({-1, height, -1}, {1, height + 1, 1}), 1),
-                                solid(box({shift - half, height - 1, -half}, {shift + half, height, half}), 2),
-                                light(floor_square(-9, 9, height - 1), 3)};
-    const std::vector<Affine> moves{scale(1 + 0.3 * unit_number(), 1, 1), rotate_x(180 * unit_number()),
-                                    translate(unit_number(), 1e3 * unit_number(), 5), rotate_y(180 * unit_number()),
-                                    left_to_right()};
+    std::vector<Object> objects{
+        solid(box({-1, height, -1}, {1, height + 1, 1}), 1),
+        solid(box({shift - half, height - 1, -half}, {shift + half, height, half}), 2),
+        light(floor_square(-9, 9, height - 1), 3)};
+    const std::vector<Affine> moves{scale(1 + 0.3 * unit_number(), 1, 1),
+                                    rotate_x(180 * unit_number()),
+                                    translate(unit_number(), 1e3 * unit_number(), 5),
+                                    rotate_y(180 * unit_number()), left_to_right()};
     for (Object& object : objects) object.transforms = moves;
     const Built built = build(objects);
     RC_ASSERT(built.messages.empty());
@@ -83,7 +87,8 @@ TEST_CASE("random star outlines: the cells of a prism add up to area times heigh
     const Built built = build({solid(PrismShape{{star}, 0, 2}, 1)});
     RC_ASSERT(built.messages.empty());
     double sum = 0;
-    for (std::size_t i = 1; i < built.geometry.cells.size(); ++i) sum += volume(built.geometry, built.geometry.cells[i]);
+    for (std::size_t i = 1; i < built.geometry.cells.size(); ++i)
+      sum += volume(built.geometry, built.geometry.cells[i]);
     RC_ASSERT(std::abs(sum - std::abs(twice_area)) < 1e-12 * std::abs(twice_area));
     RC_ASSERT(static_cast<int>(built.geometry.cells.size()) <= count);
   });

@@ -20,7 +20,8 @@ double total_area(const Geometry& geometry, int cell) {
 }  // namespace
 
 TEST_CASE("a sheet faces the side from which its contour runs counter-clockwise, in the world") {
-  for (const std::vector<Affine>& moves : {std::vector<Affine>{}, {scale(1, 1, -1)}, {scale(-1, 1, -1)}}) {
+  for (const std::vector<Affine>& moves :
+       {std::vector<Affine>{}, {scale(1, 1, -1)}, {scale(-1, 1, -1)}}) {
     for (bool turned : {false, true}) {
       PolygonShape shape = floor_square(-1, 1, 2);
       if (turned) std::reverse(shape.contours[0].begin(), shape.contours[0].end());
@@ -31,7 +32,8 @@ TEST_CASE("a sheet faces the side from which its contour runs counter-clockwise,
       const Sheet& sheet = built.geometry.sheets[0];
       const bool mirrored = moves.size() == 1 && moves[0].m[0][0] > 0;
       CHECK(sheet.plane.normal.y == (turned == mirrored ? 1 : -1));
-      CHECK(dot(area_vector(sheet.corners), sheet.plane.normal) == doctest::Approx(4).epsilon(1e-15));
+      CHECK(dot(area_vector(sheet.corners), sheet.plane.normal) ==
+            doctest::Approx(4).epsilon(1e-15));
       CHECK(sheet.centre_mm.y + sheet.plane.normal.y * sheet.plane.offset_mm == doctest::Approx(2));
       for (const Plane& edge : sheet.edges) CHECK(edge.offset_mm == 1);
     }
@@ -54,7 +56,8 @@ TEST_CASE("points that are not quite flat are moved to the plane; far off is tol
   }
   const Built built = build({light(polygon(points), 1)});
   CHECK(built.messages.empty());
-  CHECK(total_area(built.geometry, 0) == doctest::Approx(3.5 * std::sin(2 * pi / 7)).epsilon(1e-12));
+  CHECK(total_area(built.geometry, 0) ==
+        doctest::Approx(3.5 * std::sin(2 * pi / 7)).epsilon(1e-12));
   points[3].y += 1e-3;
   CHECK(build({light(polygon(points), 1)}).says("not flat"));
   CHECK(build({light(polygon({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}), 1)}).says("one line"));
@@ -83,9 +86,11 @@ TEST_CASE("a sheet through a solid is cut at its surface") {
   CHECK(total_area(built.geometry, 2) == doctest::Approx(1 * r).epsilon(1e-12));
 }
 
-TEST_CASE("a sheet wholly inside a solid is its sheet; touching from inside is a contact of neither") {
-  const Built built = build({solid(box({-1, -1, -1}, {1, 1, 1}), 1), light(floor_square(-1, 1, 0), 2),
-                             solid(box({-1, 0, -1}, {0, 1, 1}), 3)});
+TEST_CASE(
+    "a sheet wholly inside a solid is its sheet; touching from inside is a contact of neither") {
+  const Built built =
+      build({solid(box({-1, -1, -1}, {1, 1, 1}), 1), light(floor_square(-1, 1, 0), 2),
+             solid(box({-1, 0, -1}, {0, 1, 1}), 3)});
   REQUIRE_MESSAGE(built.messages.empty(), built.first());
   REQUIRE(built.geometry.sheets.size() == 1);
   CHECK(built.geometry.sheets[0].cell == 1);
@@ -107,16 +112,21 @@ TEST_CASE("discs: circles stay circles, ellipses and cuts are errors") {
 
   const Object cube = solid(box({-2, -2, -2}, {2, 2, 2}), 1);
   CHECK(build({cube, light(disc, 6)}).geometry.sheets[0].cell == 1);
-  CHECK(build({cube, light(DiscShape{{0, 0, 0}, {0, 1, 0}, 2, 0}, 6)}).geometry.sheets[0].cell == 1);
-  CHECK(build({cube, light(DiscShape{{0, 0, 0}, {0, 1, 0}, std::nextafter(2.0, 3.0), 0}, 6)}).says("passes through"));
-  CHECK(build({cube, light(DiscShape{{3, 3, 0}, {1, 1, 0}, 9, 0}, 6)}).geometry.sheets[0].cell == 0);
+  CHECK(build({cube, light(DiscShape{{0, 0, 0}, {0, 1, 0}, 2, 0}, 6)}).geometry.sheets[0].cell ==
+        1);
+  CHECK(build({cube, light(DiscShape{{0, 0, 0}, {0, 1, 0}, std::nextafter(2.0, 3.0), 0}, 6)})
+            .says("passes through"));
+  CHECK(build({cube, light(DiscShape{{3, 3, 0}, {1, 1, 0}, 9, 0}, 6)}).geometry.sheets[0].cell ==
+        0);
   CHECK(build({cube, light(DiscShape{{2.5, 0, 0}, {0, 1, 0}, 1, 0}, 6)}).failed);
   CHECK(build({cube, light(DiscShape{{2.9, 0, 2.9}, {0, 1, 0}, 1, 0}, 6)}).messages.empty());
 }
 
 TEST_CASE("two sheets in the same place are an error, side by side they are not") {
-  CHECK(build({light(floor_square(0, 2, 0), 1), polarizer(floor_square(1, 3, 0), 2)}).says("same place"));
-  CHECK(build({light(floor_square(0, 1, 0), 1), polarizer(floor_square(1, 2, 0), 2)}).messages.empty());
+  CHECK(build({light(floor_square(0, 2, 0), 1), polarizer(floor_square(1, 3, 0), 2)})
+            .says("same place"));
+  CHECK(build({light(floor_square(0, 1, 0), 1), polarizer(floor_square(1, 2, 0), 2)})
+            .messages.empty());
   const Object ring = light(DiscShape{{0, 0, 0}, {0, 1, 0}, 2, 1}, 1);
   CHECK(build({ring, light(DiscShape{{0, 0, 0}, {0, 1, 0}, 1, 0}, 2)}).messages.empty());
   CHECK(build({ring, light(DiscShape{{0.5, 0, 0}, {0, 1, 0}, 1, 0}, 2)}).says("same place"));

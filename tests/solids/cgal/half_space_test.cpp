@@ -1,5 +1,6 @@
-// Our clipping against CGAL's half-space intersection (the variant with constructions): the same number of
-// faces and the same volume. CGAL's result has corners more than once where many planes meet, so those are not compared.
+// Our clipping against CGAL's half-space intersection (the variant with constructions): the same
+// number of faces and the same volume. CGAL's result has corners more than once where many planes
+// meet, so those are not compared.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <CGAL/Convex_hull_3/dual/halfspace_intersection_with_constructions_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,13 +22,15 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 Mesh by_cgal(const ConvexShape& shape) {
   std::vector<Kernel::Plane_3> planes;
-  for (const HalfSpace& h : shape.faces) planes.emplace_back(h.normal.x, h.normal.y, h.normal.z, -h.offset);
+  for (const HalfSpace& h : shape.faces)
+    planes.emplace_back(h.normal.x, h.normal.y, h.normal.z, -h.offset);
   Mesh mesh;
-  CGAL::halfspace_intersection_with_constructions_3(planes.begin(), planes.end(), mesh, Kernel::Point_3(0, 0, 0));
+  CGAL::halfspace_intersection_with_constructions_3(planes.begin(), planes.end(), mesh,
+                                                    Kernel::Point_3(0, 0, 0));
   return mesh;
 }
 
-double volume(const Mesh& mesh) {
+double mesh_volume(const Mesh& mesh) {
   double sum = 0;
   for (const auto face : mesh.faces()) {
     std::vector<Vec3> loop;
@@ -45,7 +48,8 @@ void compare(const ConvexShape& shape) {
   REQUIRE_MESSAGE(built.messages.empty(), built.first());
   const Mesh mesh = by_cgal(shape);
   CHECK(static_cast<int>(mesh.number_of_faces()) == built.geometry.cells[1].face_count);
-  CHECK(volume(mesh) == doctest::Approx(volume(built.geometry, built.geometry.cells[1])).epsilon(1e-12));
+  CHECK(mesh_volume(mesh) ==
+        doctest::Approx(volume(built.geometry, built.geometry.cells[1])).epsilon(1e-12));
 }
 
 }  // namespace
