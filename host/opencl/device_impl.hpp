@@ -22,6 +22,8 @@ class Device {
   cl::Context context;
   std::array<cl::CommandQueue, 2> queues;   // in order; launches alternate between them
 
+  std::mutex launches;   // kernels keep their arguments: one picture at a time
+
   // Kernels of this process by identity (see program.cpp), so that a second picture builds nothing.
   std::mutex kernels_lock;
   std::map<std::string, std::shared_ptr<const Kernel>> kernels;

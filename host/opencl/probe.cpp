@@ -52,16 +52,26 @@ std::vector<double> read_back(cl::CommandQueue& queue, const cl::Buffer& buffer,
 
 // ANSWER_SCALARS per problem.
 std::vector<double> solve(Device& device, const Kernel& built, const std::vector<double>& problems, bool real_double) {
-  cl::Kernel kernel(built.program, built.name.c_str());
+  const std::lock_guard<std::mutex> one_at_a_time(device.launches);
   const std::size_t values = problems.size() / PROBE_SCALARS * ANSWER_SCALARS;
   const cl::Buffer in = scalar_buffer(device.context, problems, real_double);
   const cl::Buffer out(device.context, CL_MEM_WRITE_ONLY, values * (real_double ? sizeof(double) : sizeof(float)));
-  launch(device.queues[0], kernel, built.local_size, in, out, problems.size() / PROBE_SCALARS);
+  launch(device.queues[0], built.kernel, built.local_size, in, out, problems.size() / PROBE_SCALARS);
   return real_double ? read_back<double>(device.queues[0], out, values)
                      : read_back<float>(device.queues[0], out, values);
 }
 
 json complex_vector(const double* v) { return {{v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}}; }
+
+// Direction of Re(E x H*); that of the wave normal where the wave carries nothing. Null for evanescent waves.
+json ray_of(const double* wave, const json& normal) {
+  const double* e = wave + ANSWER_WAVE_E;
+  const double* h = wave + ANSWER_WAVE_H;
+  const auto term = [&](int i, int j) { return e[2 * i] * h[2 * j] + e[2 * i + 1] * h[2 * j + 1]; };
+  const double x = term(1, 2) - term(2, 1), y = term(2, 0) - term(0, 2), z = term(0, 1) - term(1, 0);
+  const double length = std::hypot(x, y, z);
+  return length > 1e-30 ? json{x / length, y / length, z / length} : normal;
+}
 
 json wave_answer(const double* wave, int index, const ProbeProblem& problem) {
   const double* k = wave + ANSWER_WAVE_K;
@@ -70,12 +80,15 @@ json wave_answer(const double* wave, int index, const ProbeProblem& problem) {
   const char* type = complex_q || absorbs                 ? "attenuated"
                      : wave[ANSWER_WAVE_P + 1] != 0 ? "evanescent"
                                                           : "propagating";
+  const bool runs = type[0] != 'e';
+  const json normal = {k[0] / n_phase, k[2] / n_phase, k[4] / n_phase};
   return {{"side", index < 2 ? "r" : "t"},
           {"type", type},
           {"p", {wave[ANSWER_WAVE_P], wave[ANSWER_WAVE_P + 1]}},
           {"k", complex_vector(k)},
           {"n_phase", n_phase},
-          {"s", {k[0] / n_phase, k[2] / n_phase, k[4] / n_phase}},
+          {"s", runs ? normal : json()},
+          {"ray", runs ? ray_of(wave, normal) : json()},
           {"E", complex_vector(wave + ANSWER_WAVE_E)},
           {"H", complex_vector(wave + ANSWER_WAVE_H)},
           {"power", wave[ANSWER_WAVE_POWER]}};
@@ -127,6 +140,7 @@ json solve_faces(Device& device, const json& faces, bool real_double) {
   std::vector<ProbeProblem> problems;
   for (std::size_t i = 0; i < faces.size(); ++i) problems.push_back(read_problem(faces[i], i));
   const auto kernel = probe_kernel(device, real_double);
+  keep(*kernel);
   json answers = json::array();
   for (std::size_t begin = 0; begin < problems.size(); begin += problems_per_launch) {
     const std::size_t end = std::min(problems.size(), begin + problems_per_launch);

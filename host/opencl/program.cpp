@@ -48,12 +48,12 @@ cl::Program build_source(Device& device, const std::string& source, const std::s
 
 // True if the binary was taken: built, and launched once.
 bool use_binary(Device& device, const Bytes& binary, const std::string& options, const KernelRequest& request,
-                cl::Program& program) {
+                Kernel& made) {
   try {
-    program = cl::Program(device.context, {device.device}, {binary});
-    program.build({device.device}, options.c_str());
-    cl::Kernel kernel(program, request.name.c_str());
-    request.warm_up(device.queues[0], kernel, local_size_on(device.about));
+    made.program = cl::Program(device.context, {device.device}, {binary});
+    made.program.build({device.device}, options.c_str());
+    made.kernel = cl::Kernel(made.program, request.name.c_str());
+    request.warm_up(device.queues[0], made.kernel, made.local_size);
     return true;
   } catch (const cl::Error&) {
     return false;   // the driver refuses it: build from source
@@ -74,26 +74,31 @@ std::shared_ptr<Kernel> make_kernel(Device& device, const KernelRequest& request
                                     const std::string& options, const std::string& identity) {
   const auto start = Clock::now();
   auto made = std::make_shared<Kernel>();
-  made->name = request.name;
   made->local_size = local_size_on(device.about);
   made->report.options = options;
   const std::string folder = request.binary_cache ? kernel_cache_folder() : "";
   if (const auto binary = folder.empty() ? std::nullopt : load_binary(folder, identity))
-    made->report.cached = use_binary(device, *binary, options, request, made->program);
+    made->report.cached = use_binary(device, *binary, options, request, *made);
   if (!made->report.cached) {
     made->program = build_source(device, source, options);
-    cl::Kernel kernel(made->program, request.name.c_str());
-    request.warm_up(device.queues[0], kernel, made->local_size);
+    made->kernel = cl::Kernel(made->program, request.name.c_str());
+    request.warm_up(device.queues[0], made->kernel, made->local_size);
     if (request.binary_cache && (folder.empty() || !is_writable_folder(folder)))
       made->report.note = "compiled kernels are not kept: no cache folder can be written";
     else if (request.binary_cache)
-      made->saving = std::async(std::launch::async, save_program, made->program, folder, identity);
+      made->save = [program = made->program, folder, identity] { save_program(program, folder, identity); };
   }
   made->report.seconds = seconds_since(start);
   return made;
 }
 
 }  // namespace
+
+void keep(const Kernel& kernel) {
+  if (!kernel.save) return;
+  kernel.save();
+  kernel.save = nullptr;
+}
 
 int local_size_on(const DeviceInfo& device) { return device.is_cpu ? 1 : 64; }
 

@@ -1,7 +1,6 @@
 // From kernel text to a kernel that is ready to launch: built once a process, kept on disk between them.
 #pragma once
 #include <functional>
-#include <future>
 #include <memory>
 #include <string>
 
@@ -12,10 +11,10 @@ namespace nicol {
 
 struct Kernel {
   cl::Program program;
-  std::string name;
+  mutable cl::Kernel kernel;  // made once: while PoCL gives the binary of a program, it makes no kernels of it
   int local_size = 1;
   BuildReport report;
-  std::future<void> saving;   // PoCL takes a second to give its binary: done beside the first tiles
+  mutable std::function<void()> save;  // to the binary cache; empty when there is nothing to save
 };
 
 struct KernelRequest {
@@ -34,5 +33,9 @@ int local_size_on(const DeviceInfo& device);
 
 // Throws DeviceError; a build failure carries the log, which names kernel file and line.
 std::shared_ptr<const Kernel> get_kernel(Device& device, const KernelRequest& request);
+
+// Saves a kernel's binary if that is still to be done. PoCL takes a second to give it and must not be running any
+// kernel meanwhile (its table of loaded code is not guarded), so the callers do this when their work is finished.
+void keep(const Kernel& kernel);
 
 }  // namespace nicol

@@ -108,7 +108,7 @@ class Renderer {
   const std::vector<std::array<double, 2>> samples_;
   TileSchedule schedule_;
   Gather gather_;
-  cl::Kernel kernel_;
+  cl::Kernel& kernel_;
   cl::Buffer ints_, reals_, tables_, sample_points_;
   std::array<Slot, 2> slots_;
   std::int64_t units_done_ = 0;
@@ -132,7 +132,7 @@ Renderer::Renderer(Device& device, const PackedScene& scene, const RenderOptions
       schedule_(layout_.units(), row_units_of(scene, layout_), static_cast<int>(samples_.size()), units_that_fit(),
                 options.tile_seconds),
       gather_(scene, layout_, static_cast<int>(samples_.size()), frame),
-      kernel_(kernel.program, kernel.name.c_str()) {
+      kernel_(kernel.kernel) {
   const bool real_double = options.kernel.real_double;
   std::vector<double> points;
   for (const auto& sample : samples_) points.insert(points.end(), sample.begin(), sample.end());
@@ -153,7 +153,7 @@ void Renderer::allocate() {
   const std::size_t bytes = static_cast<std::size_t>(out_values(schedule_.max_units())) * scalar_bytes_;
   for (Slot& slot : slots_) {
     slot = Slot{};
-    slot.out = cl::Buffer(device_.context, CL_MEM_WRITE_ONLY | CL_MEM_ALLOC_HOST_PTR, bytes);
+    slot.out = cl::Buffer(device_.context, CL_MEM_WRITE_ONLY, bytes);
     slot.counters = cl::Buffer(device_.context, CL_MEM_READ_WRITE, sizeof(Counters));
   }
 }
@@ -275,9 +275,11 @@ Frame render(Device& device, const PackedScene& scene, const std::vector<double>
   try {
     const auto kernel = trace_kernel(device, scene.features, options.kernel);
     report.build = kernel->report;
+    const std::lock_guard<std::mutex> one_at_a_time(device.launches);
     const double before_tiles = seconds_since(start);
     Renderer(device, scene, options, *kernel, report.lanes, frame, report).run();
     report.seconds_to_first_tile += before_tiles;
+    keep(*kernel);
   } catch (const cl::Error& error) {
     throw DeviceError(error_message(error, device.about.name));
   }
@@ -285,7 +287,9 @@ Frame render(Device& device, const PackedScene& scene, const std::vector<double>
 }
 
 BuildReport prepare_kernel(Device& device, std::uint32_t features, const KernelOptions& options) {
-  return trace_kernel(device, features, options)->report;
+  const auto kernel = trace_kernel(device, features, options);
+  keep(*kernel);
+  return kernel->report;
 }
 
 }  // namespace nicol

@@ -31,9 +31,9 @@ void trace(__global const int* ints, __global const scalar* reals, __global cons
       for (int s = sample_begin; s < sample_end; ++s)
         sum += tables[w] * (scalar)(pixel + 1) + (scalar)c + (scalar)0.1 * samples[2 * s] +
                (scalar)0.01 * samples[2 * s + 1];
-      scalar idle = 1;
-      for (int turn = 0; turn < (int)reals[0]; ++turn) idle = idle * (scalar)0.5 + (scalar)0.5;
-      out[(g * OUT_COMPONENTS + c) * LANES + lane] = sum * idle;
+      scalar half_sum = (scalar)0.5 * sum;
+      for (int turn = 0; turn < (int)reals[0]; ++turn) sum = (scalar)0.5 * sum + half_sum;
+      out[(g * OUT_COMPONENTS + c) * LANES + lane] = sum;
     }
   atomic_add(counters + COUNT_SEGMENTS, (uint)(LANES * (sample_end - sample_begin)));
   if (item == 0 && sample_begin == 0) atomic_inc(counters + COUNT_NAN);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "host/opencl/device_impl.hpp"
 #include "host/opencl/samples.hpp"
 #include "tests/opencl/stand_in.hpp"
 
@@ -51,6 +52,7 @@ TEST_CASE("every value lands at its pixel, wavelength and component, for all lan
         const PackedScene scene = stand_in_scene(13, 7, 11, lanes, over_pixels);
         RenderOptions options = with_lanes(lanes);
         options.kernel.real_double = real_double;
+        options.kernel.generic = true;
         options.samples = 3;
         RenderReport report;
         const Frame frame = picture(*device, scene, options, report);
@@ -77,6 +79,32 @@ TEST_CASE("the generic kernel gives the picture of the specialised one") {
   const Frame special = picture(*device, scene, options, report);
   options.kernel.generic = true;
   CHECK(same_bits(special, picture(*device, scene, options, report)));
+}
+
+TEST_CASE("work-groups of 64 with a padded last one give the same picture as groups of 1") {
+  const KernelFolder kernels;
+  const auto device = open_device("0"), like_a_gpu = open_device("0");
+  like_a_gpu->about.is_cpu = false;
+  CHECK(lanes_on(*like_a_gpu, {}) == 1);
+  RenderReport report;
+  RenderOptions options = with_lanes(1);
+  options.tile_seconds = 1e-5;
+  const PackedScene scene = stand_in_scene(37, 11, 3, 1);
+  const Frame grouped = picture(*like_a_gpu, scene, options, report);
+  CHECK(report.build.options.find("-D LOCAL_SIZE=64") != std::string::npos);
+  CHECK(same_bits(grouped, picture(*device, scene, options, report)));
+  CHECK(report.segments == 37 * 11 * 3);
+}
+
+TEST_CASE("double on a device without it is refused with a way out") {
+  const KernelFolder kernels;
+  const auto device = open_device("0");
+  device->about.has_fp64 = false;
+  RenderOptions options = with_lanes(8);
+  options.kernel.real_double = true;
+  RenderReport report;
+  CHECK_THROWS_WITH_AS(picture(*device, stand_in_scene(4, 4, 8, 8), options, report),
+                       doctest::Contains("cannot calculate in double precision (no cl_khr_fp64): use float"), DeviceError);
 }
 
 TEST_CASE("the cut-off weight is the mean over channels, and reported") {
@@ -143,7 +171,7 @@ TEST_CASE("cancelling leaves whole rows and says which") {
   const KernelFolder kernels;
   const auto device = open_device("0");
   PackedScene scene = stand_in_scene(64, 64, 8, 8);
-  scene.reals = {20000};
+  scene.reals = {2000};
   std::atomic<bool> cancel{false};
   RenderOptions options = with_lanes(8);
   options.tile_seconds = 0.005;
