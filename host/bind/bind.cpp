@@ -99,7 +99,7 @@ void bind_all(Context& context, const sdl::Document& document) {
   if (raw.camera) bind_camera(context, *raw.camera);
   else default_camera(context);
   for (const sdl::Block* block : raw.expectations) bind_expectation(context, *block);
-  if (context.error_count() == 0) tell_what_is_missing(context, document);
+  if (context.all_well()) tell_what_is_missing(context, document);
 }
 
 }  // namespace

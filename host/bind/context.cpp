@@ -35,8 +35,9 @@ void Context::note_once(const std::string& key, Location where, const std::strin
   if (keys_.insert(key).second) note(where, message);
 }
 
-void Context::step(Location where) {
-  if (++steps_ <= limits.steps) return;
+void Context::step(Location where, std::size_t count) {
+  steps_ += count;
+  if (steps_ <= limits.steps) return;
   error(where, "the scene is too large: more than " + std::to_string(limits.steps) +
                    " words and numbers once every identifier is written out");
   throw GiveUp{};

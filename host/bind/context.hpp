@@ -2,6 +2,7 @@
 // that name one thing 2^40 times.
 #pragma once
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <tuple>
@@ -11,13 +12,16 @@
 
 namespace nicol {
 
+struct RawObject;  // parts.hpp
+
 // Thrown once the budget is spent or too much has been complained about; bind() catches it.
 struct GiveUp {};
 
 struct Limits {
   std::size_t objects = 1'000'000;      // after expansion of shared blocks
   std::size_t transforms = 4'000'000;   // of all objects together
-  std::size_t steps = 60'000'000;       // items looked at
+  std::size_t steps = 60'000'000;       // items looked at; a block costs `block_steps`
+  std::size_t block_steps = 16;
   std::size_t complaints = 200;
   int depth = 300;                      // unions in unions, identifiers in identifiers
   std::size_t wavelengths = 1024;
@@ -32,6 +36,7 @@ class Context {
   const BindOptions& options;
   const Limits limits;
   std::unordered_map<const sdl::Block*, std::optional<int>> medium_of_block;
+  std::unordered_map<const sdl::Block*, std::shared_ptr<const RawObject>> object_of_block;
   std::map<std::vector<double>, int> medium_of_values;
   std::size_t transform_count = 0;
 
@@ -44,8 +49,11 @@ class Context {
   void note_once(const std::string& key, Location where, const std::string& message);
   std::size_t error_count() const { return error_count_; }
 
-  // Counts one item looked at.
-  void step(Location where);
+  // No error so far, neither here nor while reading the text.
+  bool all_well() const { return !diagnostics_.failed(); }
+
+  // Counts items looked at.
+  void step(Location where, std::size_t count = 1);
 
   // Counts how deep blocks lie in blocks, through identifiers too.
   class Depth {

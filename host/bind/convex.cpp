@@ -75,7 +75,7 @@ bool complement(Context& context, const RawObject& raw, Faces& faces) {
 
 bool append_faces(Context& context, const sdl::Block& block, bool outside, Faces& faces) {
   const Context::Depth depth(context, block.where);
-  const RawObject raw = read_object(context, block);
+  const RawObject& raw = read_object(context, block);
   Faces own;
   if (!own_faces(context, raw, own)) return false;
   if (outside != raw.inverse && !complement(context, raw, own)) return false;

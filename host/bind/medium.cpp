@@ -192,9 +192,11 @@ std::optional<int> bind_medium(Context& context, const sdl::Block& interior) {
   RawMedium raw;
   read_block(context, interior, interior_schema(context, raw));
   std::optional<int> medium;
-  if (raw.index || raw.ior) {
+  if (context.error_count() != errors_before) {
+    // Told already; what is half read is not sampled.
+  } else if (raw.index || raw.ior) {
     medium = index_of_equal(context, make_medium(context, raw, interior.where));
-  } else if (context.error_count() == errors_before) {
+  } else {
     context.error(interior.where, "this interior has no index: 'ior' or 'index { }' gives it one");
   }
   return context.medium_of_block[&interior] = medium;

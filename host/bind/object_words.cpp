@@ -85,6 +85,26 @@ void add_modifier_rules(Context* c, RawObject* r, Schema& schema) {
         "double_illuminate", "split_union", "cutaway_textures", "uv_vectors"}}};
 }
 
+void read_words(Context& context, const sdl::Block& block, RawObject& raw) {
+  if (holds(not_rendered, block.name)) {
+    context.error(block.where,
+                  "nicol does not render '" + block.name +
+                      "' yet; it renders box, prism, crystal, polygon, disc, unions of these, and "
+                      "intersections of planes, boxes and crystals");
+    return;
+  }
+  const std::size_t errors_before = context.error_count();
+  const Schema schema = object_schema(context, block.name.c_str(), raw);
+  read_block(context, block, schema);
+  const bool has_values = !raw.vectors.empty() || !raw.points.empty() || !raw.facets.empty();
+  const bool shaped = schema.find("", false) || block.name == "crystal";
+  if (shaped && !has_values && raw.children.empty() && context.error_count() == errors_before)
+    context.error(block.end_where, block.name == "crystal"
+                                       ? "Expected 'facet', } of 'crystal' found instead"
+                                       : "Expected 'numeric expression', } of '" + block.name +
+                                             "' found instead");
+}
+
 }  // namespace
 
 bool is_object(std::string_view name) { return holds(rendered, name) || holds(not_rendered, name); }
@@ -108,27 +128,17 @@ Schema object_schema(Context& context, const char* kind, RawObject& raw) {
   return schema;
 }
 
-RawObject read_object(Context& context, const sdl::Block& block) {
-  RawObject raw;
-  raw.block = &block;
-  if (holds(not_rendered, block.name)) {
-    context.error(block.where,
-                  "nicol does not render '" + block.name +
-                      "' yet; it renders box, prism, crystal, polygon, disc, unions of these, and "
-                      "intersections of planes, boxes and crystals");
-    return raw;
-  }
+const RawObject& read_object(Context& context, const sdl::Block& block) {
+  context.step(block.where);
+  auto& known = context.object_of_block[&block];
+  if (known) return *known;
+  auto raw = std::make_shared<RawObject>();
+  raw->block = &block;
   const std::size_t errors_before = context.error_count();
-  const Schema schema = object_schema(context, block.name.c_str(), raw);
-  read_block(context, block, schema);
-  const bool has_values = !raw.vectors.empty() || !raw.points.empty() || !raw.facets.empty();
-  const bool shaped = schema.find("", false) || block.name == "crystal";
-  if (shaped && !has_values && raw.children.empty() && context.error_count() == errors_before)
-    context.error(block.end_where, block.name == "crystal"
-                                       ? "Expected 'facet', } of 'crystal' found instead"
-                                       : "Expected 'numeric expression', } of '" + block.name +
-                                             "' found instead");
-  return raw;
+  read_words(context, block, *raw);
+  raw->sound = context.error_count() == errors_before;
+  known = std::move(raw);
+  return *known;
 }
 
 }  // namespace nicol

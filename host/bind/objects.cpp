@@ -211,8 +211,7 @@ void add_leaf(Context& context, const Chain* chain) {
 
 void add_object(Context& context, const sdl::Block& block, const Chain* outer) {
   const Context::Depth depth(context, block.where);
-  const std::size_t errors_before = context.error_count();
-  const RawObject raw = read_object(context, block);
+  const RawObject& raw = read_object(context, block);
   const Chain chain{&raw, outer};
   const bool cut = block.name == "intersection" || block.name == "difference";
   if (block.name == "union" || (!raw.children.empty() && !cut)) {
@@ -221,7 +220,7 @@ void add_object(Context& context, const sdl::Block& block, const Chain* outer) {
     for (const sdl::Block* child : raw.children) add_object(context, *child, &chain);
   } else if (block.name == "object") {
     context.error(block.where, "Expected an object in 'object', } found instead");
-  } else if (context.error_count() == errors_before) {
+  } else if (raw.sound) {
     add_leaf(context, &chain);
   }
 }

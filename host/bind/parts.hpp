@@ -105,11 +105,13 @@ struct RawObject {
   const sdl::Block* polarizer = nullptr;
   std::vector<const sdl::Block*> lights;
   bool optical_contact = false, inverse = false;
+  bool sound = false;  // no error in its words
 };
 bool is_object(std::string_view name);   // of nicol's or POV-Ray's
 std::vector<std::string> object_names(); // of nicol's
 Schema object_schema(Context& context, const char* kind, RawObject& raw);
-RawObject read_object(Context& context, const sdl::Block& block);
+// Reads a block once, however often it is named.
+const RawObject& read_object(Context& context, const sdl::Block& block);
 
 // ---- convex.cpp: box, crystal, and what is cut from planes ----
 // normal . p <= distance of the plane from the origin; exact for planes across an axis.

@@ -236,6 +236,7 @@ const Ignored* Schema::find_ignored(std::string_view name) const {
 
 void read_block(Context& context, const sdl::Block& block, const Schema& schema) {
   const Context::Depth depth(context, block.where);
+  context.step(block.where, context.limits.block_steps);
   Reader(context, block, schema).read();
 }
 

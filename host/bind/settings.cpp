@@ -53,6 +53,7 @@ void bind_wavelengths(Context& context, const sdl::Block& block, std::vector<dou
     context.error(block.where, "wavelengths (nm) must be greater than 0");
   if (lambda_nm.empty() && context.error_count() == errors_before)
     context.error(block.where, "Expected 'from', 'to' and 'step', or a list of wavelengths in nm");
+  if (context.error_count() != errors_before) lambda_nm.clear();  // the default serves for what follows
 }
 
 const char* const accepted = "%s is accepted, but means nothing to nicol";
@@ -111,12 +112,12 @@ Schema settings_schema(Context& context, RawSettings& raw) {
             "factor on the colours of the picture, not on its spectra (1)"},
            {"polarization", "b", [=](const Args& a) { s->polarization = a.numbers[0] != 0; },
             "off: intensities only"},
-           {"assumed_gamma", "n", nothing, "accepted: nicol computes with spectra"},
-           {"assumed_gamma", "w", nothing, "accepted: nicol computes with spectra"}},
+           {"assumed_gamma", "*", nothing, "accepted: nicol computes with spectra"}},
           {{accepted, false,
             {"ambient_light", "hf_gray_16", "irid_wavelength", "charset", "max_intersections",
-             "number_of_waves", "noise_generator", "radiosity", "photons", "subsurface", "srgb",
-             "ascii", "utf8", "sys"}}}};
+             "number_of_waves", "noise_generator", "radiosity", "photons", "subsurface",
+             "ascii", "utf8", "sys"}},
+           {"", false, {"srgb"}}}};
 }
 
 void finish_settings(Context& context, const RawSettings& raw) {

@@ -22,6 +22,7 @@ std::string arguments(const Rule& rule) {
       case 'w': text += " word"; break;
       case 'N': text += " numbers..."; break;
       case 'V': text += " <x,y,z>..."; break;
+      case '*': text += " values..."; break;
       case 'P': text += " <x,z>..."; break;
       default: break;
     }

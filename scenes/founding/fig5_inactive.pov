@@ -12,8 +12,8 @@ Founding_Camera(Centre, View_Angle)
   }
 #end
 expect {
-  chromaticity <0.3127, 0.3290> within 0.002
-  source "CIE 15:2018, D65; calcite and quartz hardly disperse"
+  chromaticity <0.3127, 0.3290> within 0.003
+  source "CIE 15:2018, D65; steps of 20 nm, calcite and quartz move it by as much"
 }
 Expect_Bare_Light(580, 0.15, View_Angle)
 Expect_Sky(580, 0.02, View_Angle)
