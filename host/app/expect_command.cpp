@@ -49,7 +49,7 @@ int expect_command(const ExpectCommand& command) {
       both ? std::vector<std::string>{"double", "float"} : std::vector<std::string>{command.device.real};
   int code = exit_done;
   for (const std::string& path : command.scenes) {
-    const auto loaded = load_scene(path, command.options);
+    const auto loaded = load_scene(path, command.options, Expectations::always);
     if (!loaded) {
       code = exit_error;
       continue;

@@ -40,6 +40,7 @@ void catch_interrupts() {
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes shall be an error of writing, told like any other
 }
 
 const std::atomic<bool>& finish_first() {

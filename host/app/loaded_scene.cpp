@@ -77,6 +77,12 @@ BindOptions bind_options(const std::string& path, const SceneOptions& options) {
   return result;
 }
 
+void drop_expectations(sdl::Document& document) {
+  const auto expects = [](const sdl::Item& item) { return item.block() && item.block()->name == "expect"; };
+  auto& items = document.items;
+  items.erase(std::remove_if(items.begin(), items.end(), expects), items.end());
+}
+
 }  // namespace
 
 std::vector<double> parse_wavelengths(const std::string& text) {
@@ -102,12 +108,15 @@ std::string LoadedScene::place(const Location& where) const {
   return fmt::format("{}:{}", parsed.sources.name(where.file), where.line);
 }
 
-std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options) {
+std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options,
+                                        Expectations expectations) {
   const sdl::Options sdl_options = parse_options(options);
   const BindOptions wanted = bind_options(path, options);
   auto loaded = std::make_unique<LoadedScene>();
   sdl::Diagnostics& diagnostics = loaded->parsed.diagnostics;
   sdl::parse_file(path, sdl_options, loaded->parsed);
+  if (!wanted.lambda_nm.empty() && expectations == Expectations::where_they_apply)
+    drop_expectations(loaded->parsed.document);
   if (!loaded->parsed.document.items.empty() || !diagnostics.failed())
     loaded->scene = bind(loaded->parsed.document, wanted, diagnostics);
   if (!diagnostics.failed()) loaded->geometry = build_geometry(loaded->scene, diagnostics);

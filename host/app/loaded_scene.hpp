@@ -20,8 +20,12 @@ struct LoadedScene {
   std::string place(const Location& where) const;  // "scene.pov:12"
 };
 
+// Where the command line brings wavelengths of its own, a scene's expectations at others are not at issue.
+enum class Expectations { where_they_apply, always };
+
 // Warnings and errors go to standard error; null if there was an error. UsageError for wrong options.
-std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options);
+std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options,
+                                        Expectations expectations = Expectations::where_they_apply);
 
 KernelOptions kernel_options(const DeviceOptions& options);
 

@@ -11,6 +11,7 @@
 #include "host/app/commands.hpp"
 #include "host/app/interrupt.hpp"
 #include "host/app/povray_switches.hpp"
+#include "sdl/diagnostics.hpp"
 
 namespace {
 
@@ -93,6 +94,18 @@ void add_device_verbs(CLI::App& app, DeviceOptions& options, Verb& chosen) {
   verb->callback([&] { chosen = [&] { return probe_command(options); }; });
 }
 
+// CLI11 only says that a subcommand is required.
+void check_verb(CLI::App& app, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front().rfind('-', 0) == 0) return;
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verbs.push_back(verb->get_name());
+  if (std::find(verbs.begin(), verbs.end(), arguments.front()) != verbs.end()) return;
+  const std::string near = nicol::sdl::nearest_word(arguments.front(), verbs);
+  throw UsageError(fmt::format("'{}' is no verb of nicol{}; there are {}", arguments.front(),
+                               near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near),
+                               fmt::join(verbs, ", ")));
+}
+
 int run(const std::vector<std::string>& arguments) {
   CLI::App app{"nicol renders crystals: spectral, polarized, exact at every face.", "nicol"};
   app.set_version_flag("--version", std::string("nicol ") + version());
@@ -114,6 +127,7 @@ int run(const std::vector<std::string>& arguments) {
   app.add_subcommand("words", "Every word that a scene may use, as Markdown")
       ->callback([&] { chosen = words_command; });
 
+  check_verb(app, arguments);
   std::vector<std::string> ignored, translated = arguments;
   if (!arguments.empty() && arguments.front() == "render") {
     translated = translate_povray_switches(arguments, ignored);

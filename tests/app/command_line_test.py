@@ -1,0 +1,297 @@
+#!/usr/bin/env python3
+"""The built program as a user meets it: pictures, messages, exit codes, interruption, no debris.
+
+command_line_test.py NICOL
+"""
+import os
+import pty
+import re
+import resource
+import select
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zlib
+from pathlib import Path
+
+NICOL = sys.argv.pop(1) if __name__ == "__main__" else ""
+SCENE = str(Path(__file__).resolve().parent / "cube.pov")
+PATIENCE_S = 240  # a busy machine builds a kernel in seconds, not minutes
+
+
+def read_png(path):
+    """Width, height and the unfiltered bytes' length; raises if a chunk or the data is damaged."""
+    data = Path(path).read_bytes()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n", "no PNG"
+    at, pixels, kinds = 8, b"", []
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        (crc,) = struct.unpack(">I", data[at + 8 + length:at + 12 + length])
+        assert crc == zlib.crc32(kind + body), f"damaged chunk {kind}"
+        kinds.append(kind)
+        if kind == b"IHDR":
+            width, height, depth, colour = struct.unpack(">IIBB", body[:10])
+        if kind == b"IDAT":
+            pixels += body
+        at += 12 + length
+    assert kinds[-1] == b"IEND", "PNG without its end"
+    channels = {2: 3, 6: 4}[colour]
+    raw = zlib.decompress(pixels)
+    assert len(raw) == height * (1 + width * channels * depth // 8), "PNG without all its rows"
+    return width, height
+
+
+def exr_header(path):
+    result = subprocess.run(["exrheader", str(path)], capture_output=True, text=True, check=True)
+    return result.stdout
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def nicol(self, *arguments, **options):
+        options.setdefault("cwd", self.folder)
+        return subprocess.run([NICOL, *map(str, arguments)], capture_output=True, text=True,
+                              timeout=PATIENCE_S, **options)
+
+    def scene(self, text, name="scene.pov"):
+        (self.folder / name).write_text(text)
+        return name
+
+    def left_in_folder(self):
+        return sorted(p.name for p in self.folder.iterdir())
+
+    def assert_refused(self, result, *words):
+        self.assertEqual(result.returncode, 1, result.stderr)
+        for word in words:
+            self.assertIn(word, result.stderr)
+        self.assertNotIn("terminate called", result.stderr)
+
+    # ---- pictures ----
+    def test_two_pictures_of_one_render(self):
+        result = self.nicol("render", SCENE, "-o", "a.exr", "-o", "a.png", "-W", 40, "-H", 30)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.left_in_folder(), ["a.exr", "a.png"])
+        self.assertEqual(read_png(self.folder / "a.png"), (40, 30))
+        header = exr_header(self.folder / "a.exr")
+        for channel in "S0.450,000000nm", "S3.650,000000nm":
+            self.assertIn(channel, header)
+        self.assertIn("render " + SCENE, header)
+
+    def test_summary_names_what_a_reader_needs(self):
+        result = self.nicol("render", SCENE, "-o", "a.png", "-W", 16, "-H", 16)
+        for word in ("16x16", "3 wavelengths", "segments/s", "cut off", "Stokes 0", "clipped"):
+            self.assertIn(word, result.stderr)
+
+    def test_no_terminal_no_progress(self):
+        result = self.nicol("render", SCENE, "-o", "a.png", "-W", 64, "-H", 64)
+        self.assertEqual(result.stdout, "")
+        self.assertNotRegex(result.stderr, "[\r\033]")
+
+    def test_quiet_says_nothing(self):
+        result = self.nicol("render", SCENE, "-o", "a.png", "-W", 16, "-H", 16, "--quiet")
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+
+    def test_without_output_the_picture_has_the_scenes_name(self):
+        self.nicol("render", SCENE, "-W", 16, "-H", 16)
+        self.assertEqual(self.left_in_folder(), ["cube.png"])
+
+    def test_wavelengths_from_the_command_line(self):
+        result = self.nicol("render", SCENE, "-o", "a.exr", "-W", 8, "-H", 8, "--wavelengths", "500:520:10")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        names = set(re.findall(r"S0\.[0-9,]+nm", exr_header(self.folder / "a.exr")))
+        self.assertEqual(names, {"S0.500,000000nm", "S0.510,000000nm", "S0.520,000000nm"})
+        for wrong in "700:400:10", "400:700:0", "400:700", "400:700:x", "550,550", "0:1e9:1e-3":
+            self.assert_refused(self.nicol("render", SCENE, "-o", "b.exr", "--wavelengths", wrong), wrong)
+
+    def test_povray_switches(self):
+        result = self.nicol("render", f"+I{SCENE}", "+Oa.png", "+W24", "+H18", "+A0.3", "Declare=Sky=0.2")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(read_png(self.folder / "a.png"), (24, 18))
+        self.assertIn("+A0.3", result.stderr)
+        self.assert_refused(self.nicol("render", f"+I{SCENE}", "+SF1", "+Ob.png"), "+SF1")
+
+    def test_declare_reaches_the_scene(self):
+        def header(sky, name):
+            self.nicol("render", SCENE, "-o", name, "-W", 1, "-H", 1, "--declare", f"Sky={sky}")
+            return (self.folder / name).read_bytes()
+        self.assertNotEqual(header(0.2, "a.png"), header(0.9, "b.png"))
+        self.assert_refused(self.nicol("render", SCENE, "-o", "c.png", "--declare", "Sky"), "name=value")
+
+    # ---- what cannot be done ----
+    def test_unknown_suffix_before_anything_else(self):
+        for name in "a.jpg", "picture":
+            self.assert_refused(self.nicol("render", "no_such_scene.pov", "-o", name), name, ".exr")
+        self.assertEqual(self.left_in_folder(), [])
+
+    def test_target_that_cannot_be(self):
+        (self.folder / "folder.png").mkdir()
+        for target in "missing/a.png", "folder.png", "/proc/a.exr", "/dev/null/a.png":
+            self.assert_refused(self.nicol("render", SCENE, "-o", target), target)
+        self.assertEqual(self.left_in_folder(), ["folder.png"])
+
+    def test_missing_scene(self):
+        for verb in (["render", "-o", "a.png"], ["check"], ["explain"], ["expect"]):
+            self.assert_refused(self.nicol(verb[0], "nowhere.pov", *verb[1:]), "nowhere.pov")
+        self.assertEqual(self.left_in_folder(), [])
+
+    def test_bad_scene_tells_all_errors_and_keeps_the_old_picture(self):
+        bad = self.scene("camera { location <0, 0, -5> lok_at 0 }\nsphear { 0, 1 }\nbox { 0, 1 interior { ior } }\n")
+        (self.folder / "a.png").write_text("old")
+        for verb in (["render", "-o", "a.png"], ["check"], ["explain", "--no-build"], ["expect"]):
+            result = self.nicol(verb[0], bad, *verb[1:])
+            self.assert_refused(result, "line 1", "line 2", "line 3", "lok_at", "look_at", "sphear")
+        self.assertEqual((self.folder / "a.png").read_text(), "old")
+        self.assertEqual(self.left_in_folder(), ["a.png", "scene.pov"])
+
+    def test_check(self):
+        result = self.nicol("check", SCENE, self.scene("sphear { }"))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("cube.pov: right", result.stdout)
+        self.assertIn("scene.pov: wrong", result.stdout)
+        self.assertEqual(self.nicol("check", SCENE).returncode, 0)
+
+    def test_file_size_limit(self):
+        limit = (4096, 4096)
+        self.nicol("render", SCENE, "-o", "a.exr", "-W", 64, "-H", 64)
+        (self.folder / "a.exr").unlink()
+        result = self.nicol("render", SCENE, "-o", "a.exr", "-W", 64, "-H", 64,
+                            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, limit))
+        self.assert_refused(result, "cannot write a.exr", "File too large")
+        self.assertEqual(self.left_in_folder(), [])
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root may mount; test_file_size_limit stands for it")
+    def test_full_disk(self):
+        disk = self.folder / "disk"
+        disk.mkdir()
+        mount = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=16k", "nicol-test", disk], capture_output=True)
+        if mount.returncode != 0:
+            self.skipTest("this root may not mount; test_file_size_limit stands for it")
+        try:
+            result = self.nicol("render", SCENE, "-o", disk / "a.exr", "-o", "b.png", "-W", 64, "-H", 64)
+            self.assert_refused(result, "a.exr", "No space left on device")
+            self.assertEqual(list(disk.iterdir()), [])
+            self.assertEqual(read_png(self.folder / "b.png"), (64, 64))
+        finally:
+            subprocess.run(["umount", disk], check=True)
+
+    def test_picture_larger_than_the_machine(self):
+        result = self.nicol("render", SCENE, "-o", "a.png", "-W", 65536, "-H", 65536)
+        self.assert_refused(result, "65536x65536", "GB")
+
+    def test_command_line_errors(self):
+        self.assert_refused(self.nicol(), "--help")
+        self.assert_refused(self.nicol("rendr", SCENE), "rendr", "did you mean 'render'")
+        self.assert_refused(self.nicol("render", SCENE, "-o", "a.png", "--width", "0"), "width")
+        self.assert_refused(self.nicol("render", SCENE, "-o", "a.png", "--real", "half"), "half")
+        self.assertEqual(self.nicol("--help").returncode, 0)
+        self.assertRegex(self.nicol("--version").stdout, r"^nicol \d+\.\d+\.\d+\n$")
+
+    # ---- devices ----
+    def test_unknown_device(self):
+        self.assert_refused(self.nicol("render", SCENE, "-o", "a.png", "--device", "abacus"), "abacus", "0:")
+        self.assertEqual(self.left_in_folder(), [])
+
+    def test_no_device_at_all(self):
+        (self.folder / "vendors").mkdir()
+        environment = {**os.environ, "OCL_ICD_VENDORS": str(self.folder / "vendors")}
+        for arguments in (["render", SCENE, "-o", "a.png"], ["devices"], ["explain", SCENE], ["probe"]):
+            result = self.nicol(*arguments, env=environment, stdin=subprocess.DEVNULL)
+            self.assert_refused(result, "no OpenCL device", "pocl-opencl-icd")
+        self.assertEqual(self.nicol("check", SCENE, env=environment).returncode, 0)
+        self.assertEqual(self.left_in_folder(), ["vendors"])
+
+    def test_devices_marks_the_one_in_use(self):
+        result = self.nicol("devices")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(len(re.findall(r"(?m)^\* \d", result.stdout)), 1)
+
+    # ---- other verbs ----
+    def test_expect(self):
+        result = self.nicol("expect", SCENE, "--real", "both")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertEqual(result.stdout.count("2 of 2 hold"), 2)
+        wrong = self.scene(Path(SCENE).read_text().replace("relative_radiance 550, 0.4", "relative_radiance 550, 0.41"))
+        result = self.nicol("expect", wrong)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("FAIL  scene.pov:9", result.stdout)
+        self.assertIn("1 of 2 hold", result.stdout)
+
+    def test_expect_of_a_wavelength_that_is_not_traced(self):
+        wrong = self.scene(Path(SCENE).read_text().replace("relative_radiance 550", "relative_radiance 551"))
+        result = self.nicol("expect", wrong)
+        self.assert_refused(result, "line 9", "551 nm is not among")
+        self.assert_refused(self.nicol("expect", SCENE, "--wavelengths", "450,650"), "550 nm is not among")
+
+    def test_explain(self):
+        result = self.nicol("explain", SCENE, "--no-build")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        called_for, left_out = result.stdout.split("left out:")
+        self.assertIn("luminous_sheets", called_for)
+        self.assertIn("calcite_polarizer", left_out)
+        self.assertNotIn("kernel", left_out.split("\n")[-2])
+
+    def test_probe_refuses_what_is_no_json(self):
+        self.assert_refused(self.nicol("probe", input="{ not json"), "nicol: ")
+
+    # ---- interruption ----
+    def start_long_render(self):
+        """A render on a terminal of its own, already past its first rows. Answers process and terminal."""
+        terminal, slave = pty.openpty()
+        process = subprocess.Popen(
+            [NICOL, "render", SCENE, "-o", "a.exr", "-o", "a.png", "-W", "700", "-H", "700", "--samples", "256"],
+            cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=slave)
+        os.close(slave)
+        self.addCleanup(os.close, terminal)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        seen, give_up = b"", time.monotonic() + PATIENCE_S
+        while not re.search(rb" [1-9] %", seen):
+            self.assertLess(time.monotonic(), give_up, seen)
+            self.assertIsNone(process.poll(), seen)
+            if select.select([terminal], [], [], 1)[0]:
+                seen += os.read(terminal, 4096)
+        return process, terminal
+
+    def finish(self, process, terminal):
+        """Reads the terminal until the process is gone, so that it never blocks on it."""
+        said = b""
+        while True:
+            try:
+                part = os.read(terminal, 4096)
+            except OSError:  # the other side is closed
+                break
+            if not part:
+                break
+            said += part
+        return process.wait(timeout=PATIENCE_S), said.decode()
+
+    def test_interrupt_saves_what_is_done(self):
+        process, terminal = self.start_long_render()
+        process.send_signal(signal.SIGINT)
+        code, said = self.finish(process, terminal)
+        self.assertEqual(code, 2, said)
+        self.assertRegex(said, r"\d+ of 700 rows")
+        self.assertEqual(self.left_in_folder(), ["a.exr", "a.png"])
+        self.assertEqual(read_png(self.folder / "a.png"), (700, 700))
+        self.assertIn("nicol:partial", exr_header(self.folder / "a.exr"))
+
+    def test_second_interrupt_quits_at_once(self):
+        process, terminal = self.start_long_render()
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGTERM)  # another signal, lest the two become one
+        code, said = self.finish(process, terminal)
+        self.assertEqual(code, 2, said)
+        self.assertEqual(self.left_in_folder(), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
