@@ -55,14 +55,14 @@ FunctionPtr Parser::function_value() {
   auto f = std::make_shared<Function>();
   read_parameters(*f);
   expect('{');
-  Group group(*this);
-  const Token& first = peek();
+  Group group(*this, true);
+  const Token first = peek();
   if (first.undeclared()) {
     Token name = next();
     if (symbols_.text(name.index) == "internal" && peek().is('(')) {
       next();
       f->kind = Function::Kind::opaque;
-      f->what = "internal(" + std::to_string(static_cast<long long>(number())) + ")";
+      f->what = "internal(" + number_text(number()) + ")";
       expect(')');
       expect('}');
       return f;

@@ -1,4 +1,5 @@
 // #if, #switch, #while, #for and their ends: jumps between linked lexemes of one frame.
+#include <algorithm>
 #include <cmath>
 
 #include "parser.hpp"
@@ -29,6 +30,13 @@ std::uint32_t Parser::end_of(const Frame& f, std::uint32_t opener) const {
   return at;
 }
 
+// After an error in its head, a conditional is read on behind its #end.
+void Parser::leave(std::uint64_t serial, std::uint32_t opener) {
+  for (Frame& f : frames_) {
+    if (f.serial == serial) f.position = std::min(end_of(f, opener) + 1, f.end);
+  }
+}
+
 // The value of `( ... )` after #if, #elseif, #ifdef, #ifndef.
 bool Parser::condition(Keyword keyword) {
   if (keyword == Keyword::k_ifdef) return is_defined();
@@ -44,7 +52,6 @@ bool Parser::is_defined() {
   expect('(');
   Group group(*this);
   Token name = next_name();
-  if (name.kind != Kind::word) fail("identifier", name);
   CellPtr cell = name.cell;
   while (peek().is('[')) {
     const auto* array = cell ? std::get_if<ArrayPtr>(&cell->value) : nullptr;
@@ -65,9 +72,7 @@ void Parser::run_if(std::uint32_t at) {
     try {
       if (!yes) yes = condition(keyword);
     } catch (const Failure&) {  // neither branch is right: read on after #end
-      for (Frame& f : frames_) {
-        if (f.serial == serial) f.position = end_of(f, opener) + 1;
-      }
+      leave(serial, opener);
       throw;
     }
     if (frame().serial != serial) throw Failure{last_, "Mis-matched '#if'."};
@@ -103,12 +108,15 @@ void Parser::run_switch(std::uint32_t at) {
   const std::uint64_t serial = frame().serial;
   const std::uint32_t opener = at;
   if (!linked(at)) return;
-  expect('(');
   double value = 0;
-  {
+  try {
+    expect('(');
     Group group(*this);
     value = number();
     group.close(')');
+  } catch (const Failure&) {
+    leave(serial, opener);
+    throw;
   }
   for (;;) {
     if (frame().serial != serial) throw Failure{last_, "Mis-matched '#switch'."};
@@ -121,6 +129,7 @@ void Parser::run_switch(std::uint32_t at) {
     frame().position = at + 1;
     const auto keyword = static_cast<Keyword>(frame().tokens->lexemes[at].index);
     if (from == opener && keyword != Keyword::k_case && keyword != Keyword::k_range) {
+      leave(serial, opener);
       throw Failure{last_, "#switch not followed by #case or #range."};
     }
     if (keyword == Keyword::k_end) return;
@@ -138,14 +147,12 @@ void Parser::run_while(std::uint32_t at) {
   try {
     yes = condition(Keyword::k_while);
   } catch (const Failure&) {
-    for (Frame& f : frames_) {
-      if (f.serial == serial) f.position = end_of(f, at) + 1;
-    }
+    leave(serial, at);
     throw;
   }
   if (frame().serial != serial) throw Failure{last_, "Mis-matched '#while'."};
   if (yes) frame().controls.push_back({at, at, Keyword::k_while, nullptr, 0, 0});
-  else frame().position = end_of(frame(), at) + 1;
+  else leave(serial, at);
 }
 
 bool Parser::for_goes_on(const Control& control) const {
@@ -171,19 +178,18 @@ void Parser::run_for(std::uint32_t at) {
     expect(',');
     control.stop = number();
     if (accept(',')) control.step = number();
+    if (control.step == 0) throw Failure{name.where, "#for loop increment must be non-zero."};
     group.close(')');
     control.counter = scope_.declare_local(name.index);
     control.counter->value = Numbers(first);
   } catch (const Failure&) {
-    for (Frame& f : frames_) {
-      if (f.serial == serial) f.position = end_of(f, at) + 1;
-    }
+    leave(serial, at);
     throw;
   }
   if (frame().serial != serial) throw Failure{last_, "Mis-matched '#for'."};
   control.body = frame().position;
   if (for_goes_on(control)) frame().controls.push_back(control);
-  else frame().position = end_of(frame(), at) + 1;
+  else leave(serial, at);
 }
 
 // #else, #elseif, #case or #range met while a branch is being read.
@@ -195,8 +201,7 @@ void Parser::branch_reached(Keyword keyword, const Token& token) {
   if (in_switch && keyword != Keyword::k_elseif) {  // a #case without #break goes on into the next
     if (of_switch) matches_case(keyword, 0);
   } else if (in_if && !of_switch) {
-    f.position = end_of(f, f.controls.back().opener) + 1;
-    if (f.position > f.end) f.position = f.end;
+    leave(f.serial, f.controls.back().opener);
     f.controls.pop_back();
   } else {
     throw Failure{token.where, of_switch ? "Mis-matched '#case' or '#range'."
@@ -231,8 +236,7 @@ void Parser::run_break(const Token& token) {
     const Control control = f.controls.back();
     f.controls.pop_back();
     if (control.keyword != Keyword::k_if) {
-      f.position = end_of(f, control.opener) + 1;
-      if (f.position > f.end) f.position = f.end;
+      leave(f.serial, control.opener);
       return;
     }
   }

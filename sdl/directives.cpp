@@ -12,6 +12,7 @@ namespace {
 // After an error the others have said themselves where to read on.
 bool skips_rest(Keyword keyword) {
   return keyword == Keyword::k_declare || keyword == Keyword::k_local ||
+         keyword == Keyword::k_case || keyword == Keyword::k_range ||
          keyword == Keyword::k_version || keyword == Keyword::k_undef ||
          (keyword >= Keyword::k_render && keyword <= Keyword::k_write);
 }
@@ -53,7 +54,7 @@ void Parser::directive(const Token& token, std::uint32_t at) {
     } else {
       unwind(here);
       pushed_.clear();
-      groups_lost_ = 0;
+      groups_lost_ = braces_lost_ = 0;
       trim_controls();
     }
   }

@@ -203,8 +203,7 @@ Numbers Parser::member(const Numbers& value) {
   if (name.is(Keyword::k_t) || name.is(Keyword::k_filter)) index = 3;
   if (name.is(Keyword::k_transmit)) index = 4;
   if (index < 0) {
-    fail_with(name, "Invalid member access: Valid member names are x, y, z, t, u, v, red, green, "
-                    "blue, filter, transmit and gray.");
+    fail("x, y, z or color component", name);
   }
   if (index >= value.size) throw Failure{name.where, "Bad operands for period operator."};
   return Numbers(value.v[static_cast<std::size_t>(index)]);
@@ -216,7 +215,8 @@ std::vector<double> Parser::components() {
   std::vector<double> numbers;
   do {
     numbers.push_back(number());
-    accept(',');
+    const bool comma = accept(',');
+    if (!comma && !peek().is('>') && !starts_expression(peek())) fail(">", next());
     if (numbers.size() > options_.limits.items) throw LimitReached{"Out of memory."};
   } while (!peek().is('>'));
   if (numbers.size() == 1) fail("numeric expression", next());

@@ -10,7 +10,7 @@ void Parser::macro_directive(std::uint32_t at) {
     Token name = next_name();
     if (name.kind != Kind::word || name.keyword_class() != KeywordClass::none ||
         (name.cell && !name.holds<MacroPtr>() && !name.holds<Broken>())) {
-      fail("identifier", name);
+      fail("undeclared identifier", name);
     }
     auto macro = std::make_shared<Macro>();
     macro->name = symbols_.text(name.index);
@@ -18,7 +18,7 @@ void Parser::macro_directive(std::uint32_t at) {
     for (Token token = next_name(); !token.is(')'); token = next_name()) {
       if (token.is(',')) continue;
       if (token.kind != Kind::word || token.keyword_class() != KeywordClass::none) {
-        fail("identifier", token);
+        fail("identifier or expression.", token);
       }
       macro->parameters.push_back(token.index);
     }

@@ -80,12 +80,15 @@ class Parser {
     Parser& parser_;
   };
   struct Group {  // inside ( ), < > or [ ]
-    explicit Group(Parser& parser) : nest(parser), parser_(parser) { ++parser_.grouping_; }
+    explicit Group(Parser& parser, bool in_braces = false)
+        : nest(parser), parser_(parser), braces(in_braces) {
+      ++parser_.grouping_;
+    }
     ~Group();
     void close(char mark);  // reads the closing mark
     Nest nest;
     Parser& parser_;
-    bool open = true;
+    bool braces, open = true;
   };
 
   // parse.cpp: the whole
@@ -139,6 +142,7 @@ class Parser {
   void run_if(std::uint32_t at);
   bool condition(Keyword keyword);
   bool is_defined();
+  void leave(std::uint64_t serial, std::uint32_t opener);
   void run_switch(std::uint32_t at);
   bool matches_case(Keyword keyword, double value);
   void run_while(std::uint32_t at);
@@ -246,7 +250,7 @@ class Parser {
   bool expand_macros_ = true, holding_ = false;
   bool names_unknown_ = false;  // an include file was missing: undeclared names are no news
   int grouping_ = 0, nesting_ = 0;
-  int groups_lost_ = 0;  // brackets that the failure on its way has left open
+  int groups_lost_ = 0, braces_lost_ = 0;  // what the failure on its way has left open
   std::size_t steps_left_, bytes_left_, document_weight_ = 0;
   std::uint64_t next_serial_ = 1, fetched_ = 0, recovered_at_ = 0;
   double version_ = 3.7;

@@ -157,10 +157,11 @@ bool Parser::stops(const Token& token, Skip skip, bool moved) {
 void Parser::recover(const Mark& to, Skip skip) {
   unwind(to);
   int groups_open = groups_lost_;
-  groups_lost_ = 0;
+  const int braces_lost = braces_lost_;
+  groups_lost_ = braces_lost_ = 0;
   const bool stuck = recovered_at_ == fetched_;
   bool moved = false;
-  int braces = 0;
+  int braces = braces_lost;
   for (;;) {
     Frame& f = frame();
     const std::uint32_t before = f.position;
@@ -172,7 +173,8 @@ void Parser::recover(const Mark& to, Skip skip) {
       break;
     }
     const bool inside = braces > 0 || (groups_open > 0 && (token.is(',') || token.undeclared()));
-    const bool new_block = braces == 0 && stops(token, Skip::statement, moved);
+    const bool new_block = (braces == 0 && stops(token, Skip::statement, moved)) ||
+                           (braces == braces_lost && token.kind == Kind::directive);
     if ((moved || !stuck) && ((!inside && stops(token, skip, moved)) || new_block)) {
       if (was_pushed) push_back(token);
       else f.position = before;

@@ -21,7 +21,7 @@ void Parser::Group::close(char mark) {
 Parser::Group::~Group() {
   if (!open) return;
   --parser_.grouping_;
-  if (std::uncaught_exceptions() > 0) ++parser_.groups_lost_;
+  if (std::uncaught_exceptions() > 0) ++(braces ? parser_.braces_lost_ : parser_.groups_lost_);
 }
 
 void Parser::push_frame(TokenFilePtr tokens, std::uint32_t begin, std::uint32_t end,

@@ -79,7 +79,9 @@ TextPtr Parser::string_call(const Token& name) {
   switch (static_cast<Keyword>(name.index)) {
     case Keyword::k_chr: {
       const double code = number();
-      if (!(code >= 0 && code < 65536)) throw Failure{name.where, "Value cannot be used in chr(...)."};
+      if (!(code >= 0 && code < 65536)) {
+        throw Failure{name.where, "Value " + number_text(code) + " cannot be used in chr(...)."};
+      }
       append_utf8(out, static_cast<std::uint32_t>(code));
       break;
     }

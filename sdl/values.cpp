@@ -48,7 +48,9 @@ Value Parser::array_value() {
     dimensions.push_back(static_cast<std::size_t>(size));
     count *= dimensions.back();
   }
-  if (dimensions.empty()) fail("[", next());
+  if (dimensions.empty()) {
+    throw Failure{where, "An array declaration must have at least one dimension"};
+  }
   auto array = std::make_shared<Array>(budget_, dimensions, count);
   if (peek_operator().is('{')) {
     std::size_t at = 0;
@@ -59,7 +61,7 @@ Value Parser::array_value() {
 
 void Parser::array_initialiser(Array& array, std::size_t dimension, std::size_t& at) {
   expect('{');
-  Group group(*this);
+  Group group(*this, true);
   std::size_t stride = 1;
   for (std::size_t d = dimension + 1; d < array.dimensions.size(); ++d) stride *= array.dimensions[d];
   const std::size_t start = at;
