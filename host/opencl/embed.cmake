@@ -1,8 +1,10 @@
 # Writes OUTPUT, a C++ file that holds the text of SOURCES as raw strings of at most 12000 characters
 # (compilers limit the length of one literal).
 set(chunk_size 12000)
-set(text "// Generated from the folder kernels.\n#include \"host/opencl/kernel_source.hpp\"\n\nnamespace nicol {\n\n")
-string(APPEND text "const std::vector<EmbeddedFile>& embedded_kernels() {\n  static const std::vector<EmbeddedFile> files = {\n")
+set(text "// Generated from the folder kernels.\n#include \"host/opencl/kernel_source.hpp\"\n\n")
+string(APPEND text "namespace nicol {\n\n")
+string(APPEND text "const std::vector<EmbeddedFile>& embedded_kernels() {\n")
+string(APPEND text "  static const std::vector<EmbeddedFile> files = {\n")
 foreach(source IN LISTS SOURCES)
   get_filename_component(name "${source}" NAME)
   file(READ "${source}" content)

@@ -49,7 +49,8 @@ Frame make_frame(const PackedScene& scene, const std::vector<double>& lambda_nm,
   frame.height = scene.height;
   frame.lambda_nm = lambda_nm;
   frame.weight_nm = weight_nm;
-  const double bytes = static_cast<double>(frame.plane()) * (4 * static_cast<double>(lambda_nm.size()) + 1) * sizeof(float);
+  const double floats_per_pixel = 4 * static_cast<double>(lambda_nm.size()) + 1;
+  const double bytes = static_cast<double>(frame.plane()) * floats_per_pixel * sizeof(float);
   const auto too_large = [&](const std::string& there) {
     return DeviceError(fmt::format("a picture of {} x {} pixels and {} wavelengths needs {:.1f} GB of memory; {}. Take "
                                    "fewer pixels or wavelengths", scene.width, scene.height, lambda_nm.size(),

@@ -5,8 +5,8 @@
 
 namespace nicol {
 
-// x to the right, y down, 0..1. The first is the centre. The R2 sequence of M. Roberts, "The Unreasonable Effectiveness of
-// Quasirandom Sequences" (2018): x_i = frac(1/2 + i / g), y_i = frac(1/2 + i / g^2), g^3 = g + 1.
+// x to the right, y down, 0..1. The first is the centre. The R2 sequence of M. Roberts, "The
+// Unreasonable Effectiveness of Quasirandom Sequences" (2018): x_i = frac(1/2 + i / g), y_i = frac(1/2 + i / g^2), g^3 = g + 1.
 std::vector<std::array<double, 2>> pixel_samples(int count);
 
 }  // namespace nicol

@@ -14,7 +14,10 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 json medium(const char* kind, double n, double k = 0, double zeta = 0) {
-  return {{"cls", kind}, {"n_principal", {n, n, n}}, {"k_principal", {k, k, k}}, {"zeta_principal", {zeta, zeta, zeta}}};
+  return {{"cls", kind},
+          {"n_principal", {n, n, n}},
+          {"k_principal", {k, k, k}},
+          {"zeta_principal", {zeta, zeta, zeta}}};
 }
 
 json complex3(double x, double y, double z) { return {{x, 0.0}, {y, 0.0}, {z, 0.0}}; }
