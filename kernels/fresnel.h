@@ -49,7 +49,9 @@ FUNCTION Fresnel fresnel(real p1, real delta, real eps1, real eps2) {
 
 // The same with complex permittivities and a complex p1 (a wave in an absorbing medium, attenuated along
 // its own direction). T by Poynting flux: T_s = |t|^2 Re p2/Re p1, T_p with p/eps for p; the branch
-// of p2 continues the one of the transparent case: Im p2 > 0 where `evanescent`, Re p2 >= 0 elsewhere.
+// of p2 continues the one of the transparent case: Im p2 > 0 where `evanescent`, Re p2 >= 0 elsewhere, with
+// evanescent = n2^2 <= (Re q)^2, real parts of the indices alone: on the way from Re q to q, p2^2 crosses the real
+// axis at (n2^2 - (Re q)^2)(1 + k2^2/(Re q)^2), if at all.
 // Source: Born & Wolf, 14.2. t_s, t_p are complex here.
 typedef struct {
   cplx r_s, r_p, t_s, t_p;   // t per root of flux

@@ -101,6 +101,10 @@ FUNCTION Mode plane_wave(cplx q, cplx p, cplx n, int is_s) {
   return m;
 }
 
+// Normal flux of the s and p waves of plane_wave: Re p and Re(p n*/n), twice over.
+FUNCTION real flux_s(cplx p) { return p.re; }
+FUNCTION real flux_p(cplx p, cplx n) { return cmul(p, cdiv(conj_of(n), n)).re; }
+
 FUNCTION void solve_isotropic(GLOBAL const scalar* problem, GLOBAL scalar* answer, PRIVATE const FaceProblem* f) {
   cplx n1 = read_complex(problem + PROBE_N1), n2 = read_complex(problem + PROBE_N2);
   cplx delta = read_complex(problem + PROBE_BRACKETS2);
@@ -108,8 +112,9 @@ FUNCTION void solve_isotropic(GLOBAL const scalar* problem, GLOBAL scalar* answe
   cplx r_s, r_p, p2;
   real t_power_s = lanes(0), t_power_p = lanes(0);
   if (absorbs) {
-    cplx p2_squared = cadd(cmul(f->p1, f->p1), delta);
-    mask evanescent = p2_squared.re <= lanes(0);
+    // the transparent case that this one continues: n2^2 - (Re q)^2, without the extinctions in delta
+    real transparent = f->p1.re * f->p1.re + delta.re + (n2.im * n2.im - n1.im * n1.im);
+    mask evanescent = transparent <= lanes(0);
     FresnelAbsorbing g = fresnel_absorbing(f->p1, delta, cmul(n1, n1), cmul(n2, n2), evanescent);
     r_s = g.r_s;
     r_p = g.r_p;
@@ -136,12 +141,15 @@ FUNCTION void solve_isotropic(GLOBAL const scalar* problem, GLOBAL scalar* answe
   // continuity: E_u = 1 + r_s, h_u = n1 (1 + r_p)
   scale_mode(&waves[2], cmul(cadd(one, r_s), a_s));
   scale_mode(&waves[3], cmul(cmul(cadd(one, r_p), a_p), cdiv(n1, n2)));
-  real power[4], incident = flux_of(f->e, f->h);
-  for (int w = 0; w < 4; ++w) power[w] = (w < 2 ? lanes(-1) : lanes(1)) * flux_of(waves[w].e, waves[w].h) / incident;
-  if (!absorbs) {
-    real share_s = norm2(a_s), share_p = norm2(a_p), all = share_s + share_p;
-    power[0] = norm2(r_s) * share_s / all;
-    power[1] = norm2(r_p) * share_p / all;
+  // s and p light carry their energy apart; |a|^2 times the flux of a unit wave keeps its digits at grazing
+  real share_s = norm2(a_s) * flux_s(f->p1), share_p = norm2(a_p) * flux_p(f->p1, n1), all = share_s + share_p;
+  real power[4];
+  power[0] = norm2(r_s) * share_s / all;
+  power[1] = norm2(r_p) * share_p / all;
+  if (absorbs) {
+    power[2] = norm2(cmul(cadd(one, r_s), a_s)) * flux_s(p2) / all;
+    power[3] = norm2(cmul(cmul(cadd(one, r_p), a_p), cdiv(n1, n2))) * flux_p(p2, n2) / all;
+  } else {
     power[2] = t_power_s * share_s / all;
     power[3] = t_power_p * share_p / all;
   }

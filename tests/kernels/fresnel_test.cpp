@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "tests/kernels/under_test.hpp"
+#include "tests/kernels/vectors.hpp"
 
 using namespace nicol::test;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // The case as the kernel's scalar holds it; delta in double from the rounded indices.
 FresnelCase face_at(const Kernels& kernels, double n1, double n2, double cos_i) {

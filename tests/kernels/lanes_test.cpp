@@ -5,20 +5,9 @@
 #include <cmath>
 
 #include "tests/kernels/under_test.hpp"
+#include "tests/kernels/vectors.hpp"
 
 using namespace nicol::test;
-
-namespace {
-
-struct Dice {
-  unsigned state;
-  double operator()() {
-    state = state * 1664525u + 1013904223u;
-    return state / 4294967296.0;
-  }
-};
-
-}  // namespace
 
 TEST_CASE("eight lanes are eight times one lane") {
   const Kernels* pairs[2][2] = {{&float1, &float8}, {&double1, &double8}};
