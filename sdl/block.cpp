@@ -99,9 +99,9 @@ void Parser::word_item(Block& b, Token token) {
   else value_item(b, std::move(token));
 }
 
-// `word` stands where a number was needed, as the operator after it shows.
+// A word or a string stands where a number was needed, as the operator after it shows.
 void Parser::fail_before(const Token& word, const Token& after) {
-  if (names_unknown_) fail_with(word, "");
+  if (names_unknown_ && word.undeclared()) throw Failure{word.where, ""};
   push_back(after);
   throw Failure{word.where, "Expected 'numeric expression', " + describe(word) + " found instead" +
                                 hint(word)};
@@ -138,12 +138,12 @@ void Parser::value_item(Block& b, Token token) {
   } else {
     const Item* before = b.items.empty() ? nullptr : &b.items.back();
     const bool operates = token.is('*') || token.is('/') || token.is('.');
-    if (operates && before && before->word()) {  // it was meant as a number
-      Token word;
-      word.kind = Kind::word;
-      word.index = symbols_.intern(*before->word());
-      word.where = before->where;
-      fail_before(word, token);
+    if (operates && before && (before->word() || before->string())) {  // meant as a number
+      Token meant;
+      meant.kind = before->word() ? Kind::word : Kind::string;
+      if (before->word()) meant.index = symbols_.intern(*before->word());
+      meant.where = before->where;
+      fail_before(meant, token);
     }
     fail_in(b.name, token);
   }

@@ -39,10 +39,10 @@ Numbers Parser::float_call(const Token& name) {
   expect('(');
   Group group(*this);
   std::vector<double> arguments;
-  do {
+  for (int count = 1;; ++count) {  // commas may be left out where the number of arguments is known
     arguments.push_back(number());
-  } while ((arity.most < 0 || static_cast<int>(arguments.size()) < arity.most) && accept(','));
-  if (static_cast<int>(arguments.size()) < arity.least) fail(", ", next());
+    if (count == arity.most || (!accept(',') && count >= arity.least)) break;
+  }
   group.close(')');
   const char* warning = nullptr;
   try {
@@ -65,7 +65,7 @@ Numbers Parser::call(const Token& name, const Value& value) {
   const std::size_t wanted = spline ? 1 : function->parameters.size();
   while (arguments.size() < wanted) {
     arguments.push_back(number());
-    if (arguments.size() < wanted && !accept(',')) fail(", ", next());
+    if (arguments.size() < wanted) accept(',');
   }
   if (spline && accept(',')) next();  // `S(t, linear_spline)`: the kind it was made with is used
   group.close(')');
@@ -172,7 +172,7 @@ Numbers Parser::vector_call(const Token& name) {
   Numbers b, result;
   const auto keyword = static_cast<Keyword>(name.index);
   if (keyword != Keyword::k_vlength && keyword != Keyword::k_vnormalize) {
-    expect(',');
+    accept(',');
     b = vector3();
   }
   const double length = std::sqrt(dot(a, a));
@@ -190,7 +190,7 @@ Numbers Parser::vector_call(const Token& name) {
       result = turned(result, triple(0, 0, 1), b.v[2]);
       break;
     default:
-      expect(',');
+      accept(',');
       result = turned(a, b, number());
       break;
   }

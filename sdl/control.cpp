@@ -133,7 +133,14 @@ void Parser::run_switch(std::uint32_t at) {
       throw Failure{last_, "#switch not followed by #case or #range."};
     }
     if (keyword == Keyword::k_end) return;
-    if (keyword == Keyword::k_else || matches_case(keyword, value)) {
+    bool yes = keyword == Keyword::k_else;
+    try {
+      yes = yes || matches_case(keyword, value);
+    } catch (const Failure&) {
+      leave(serial, opener);
+      throw;
+    }
+    if (yes) {
       frame().controls.push_back({opener, at, Keyword::k_switch, nullptr, 0, 0});
       return;
     }

@@ -5,18 +5,18 @@ namespace nicol::sdl {
 
 // `#declare [deprecated [once] ["message"]] Name[i]... = value`
 void Parser::declare_directive(bool local) {
-  Token name = next_name();
+  Token name = next_held(false);
   Deprecation deprecation{"", false};
   const bool deprecated = name.undeclared() && symbols_.text(name.index) == "deprecated";
   if (deprecated) {
-    name = next_name();
+    name = next_held(false);
     if (name.undeclared() && symbols_.text(name.index) == "once") {
       deprecation.once = true;
-      name = next_name();
+      name = next_held(false);
     }
     if (name.kind == Kind::string) {
       deprecation.message = name.text->text;
-      name = next_name();
+      name = next_held(false);
     }
   }
   const bool taken = describe(name) == symbols_.text(name.index);
@@ -29,7 +29,8 @@ void Parser::declare_directive(bool local) {
     if (!peek().is('[')) break;
     element = subscripted(name, *array);
   }
-  expect('=');
+  Token equals = next_held(true);
+  if (!equals.is('=')) fail("=", equals);
   assign(name, local, element != nullptr, element);
   if (deprecated) {
     if (deprecation.message.empty()) {
@@ -57,6 +58,11 @@ void Parser::assign(const Token& name, bool local, bool element, CellPtr cell) {
     if (name.holds<FunctionPtr>() && !element && (!local || scope_.is_local(name.index))) {
       throw Failure{name.where,
                     "Redeclaring functions is not allowed - #undef the function first!"};
+    }
+    push_back(next_held(true));
+    if (pushed_.back().kind == Kind::stop) {
+      pushed_.pop_back();
+      fail("numeric expression", stop_);
     }
     value = rvalue(false);
   } catch (const Failure& failure) {
@@ -86,6 +92,8 @@ void Parser::semicolon(const Value& value) {
               "All #declares of float, vector, and color require semi-colon ';' at end if the "
               "language version is set to 3.5 or higher. Either add the semi-colon or set the "
               "language version to 3.1 or lower."});
+      // What cannot begin anything is what was left out of the value.
+      if (after.kind == Kind::mark || after.kind == Kind::number) recover(mark(), Skip::directive);
     }
     return;
   }

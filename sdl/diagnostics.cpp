@@ -67,6 +67,26 @@ std::string excerpt(std::string_view line, std::size_t column) {
   return shown + '\n' + caret + "^\n";
 }
 
+// The innermost calls and the outermost; of a deep recursion not all.
+std::string calls_text(const Sources& sources, std::uint32_t innermost) {
+  constexpr std::size_t most_first = 6, most_last = 2;
+  std::vector<std::string> lines;
+  for (std::uint32_t c = innermost; c != 0; c = sources.call(c).from.call) {
+    const Sources::Call& call = sources.call(c);
+    lines.push_back("  in macro " + call.macro + " called from '" + sources.name(call.from.file) +
+                    "' line " + std::to_string(call.from.line) + '\n');
+  }
+  std::string out;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool shown = lines.size() <= most_first + most_last + 1 || i < most_first ||
+                       i + most_last >= lines.size();
+    if (shown) out += lines[i];
+    else if (i == most_first)
+      out += "  ... " + std::to_string(lines.size() - most_first - most_last) + " calls more\n";
+  }
+  return out;
+}
+
 const char* title(Severity severity) {
   switch (severity) {
     case Severity::note: return "Parse Note: ";
@@ -85,11 +105,7 @@ std::string Diagnostics::text(const Diagnostic& d) const {
   out += d.message.substr(0, first_end) + '\n';
   out += "  column " + std::to_string(d.where.column) + '\n';
   out += excerpt(sources_.line(d.where.file, d.where.line), d.where.column);
-  for (std::uint32_t c = d.where.call; c != 0; c = sources_.call(c).from.call) {
-    const Sources::Call& call = sources_.call(c);
-    out += "  in macro " + call.macro + " called from '" + sources_.name(call.from.file) +
-           "' line " + std::to_string(call.from.line) + '\n';
-  }
+  out += calls_text(sources_, d.where.call);
   if (first_end != std::string::npos) out += "  " + d.message.substr(first_end + 1) + '\n';
   return out;
 }

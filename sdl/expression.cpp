@@ -115,20 +115,20 @@ Numbers Parser::product_of(std::optional<Numbers> first) {
       next();
       left = combined(left, factor(), [](double a, double b) { return a * b; });
     } else if (op.is('/')) {
-      next();
-      left = divided(left, factor());
+      const Location where = next().where;
+      left = divided(left, factor(), where);
     } else {
       return left;
     }
   }
 }
 
-Numbers Parser::divided(const Numbers& a, const Numbers& b) {
+Numbers Parser::divided(const Numbers& a, const Numbers& b, Location where) {
   const int size = std::max(a.size, b.size);
   bool by_zero = false;
   const Numbers q = promoted(b, size);
   for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) by_zero = by_zero || q.v[i] == 0;
-  if (by_zero) warn(last_, "Divide by zero.");
+  if (by_zero) warn(where, "Divide by zero.");
   return combined(a, b, [](double p, double d) {
     return d == 0 ? std::numeric_limits<double>::infinity() : p / d;
   });

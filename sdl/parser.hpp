@@ -106,6 +106,7 @@ class Parser {
   Token fetch();
   Token token_from(const Frame& frame, const Lexeme& lexeme) const;
   Token next_name();   // a word, not called if it is a macro
+  Token next_held(bool expand);  // a directive that can wait stops it
   Token next_value();  // with the subscripts of an array read
   const Lexeme* peek_lexeme() const;
   void expect(char mark);
@@ -212,7 +213,7 @@ class Parser {
   std::vector<double> components();
   double number();
   Numbers vector3();
-  Numbers divided(const Numbers& a, const Numbers& b);
+  Numbers divided(const Numbers& a, const Numbers& b, Location where);
   bool compared(std::uint32_t mark, int order) const;
   bool starts_expression(const Token& token) const;
   Numbers call(const Token& name, const Value& value);

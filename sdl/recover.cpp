@@ -37,7 +37,7 @@ std::string Parser::describe(const Token& token) const {
       if (token.index == mark_ge) return ">=";
       if (token.index == mark_ne) return "!=";
       return std::string(1, static_cast<char>(token.index));
-    case Kind::directive: case Kind::stop: return '#' + symbols_.text(token.index);
+    case Kind::directive: case Kind::stop: return "#";
     default: break;
   }
   const std::string name = "'" + (token.kind == Kind::word ? symbols_.text(token.index) : "") + "'";
@@ -78,7 +78,7 @@ std::string Parser::hint(const Token& token) const {
 
 void Parser::fail_with(const Token& found, const std::string& message) {
   const Token copy = found;
-  push_back(copy);
+  if (copy.kind != Kind::stop) push_back(copy);
   if (copy.holds<Broken>() || (names_unknown_ && copy.undeclared())) throw Failure{copy.where, ""};
   if (copy.kind == Kind::bad) {
     char text[64];
@@ -145,6 +145,7 @@ bool Parser::stops(const Token& token, Skip skip, bool moved) {
   if (token.kind == Kind::directive) return true;
   if (token.is('}')) return skip != Skip::statement || nesting_ > 0;
   if (token.is(',') && skip == Skip::item) return true;
+  if (moved && token.holds<MacroPtr>()) return true;  // its call may yield the next thing
   if (!token.undeclared() && !token.holds<BlockPtr>()) return false;
   const Lexeme* after = pushed_.empty() ? peek_lexeme() : nullptr;
   const bool opens = after && after->kind == Kind::mark && after->index == '{';
@@ -172,10 +173,12 @@ void Parser::recover(const Mark& to, Skip skip) {
       if (was_pushed) push_back(token);
       break;
     }
-    const bool inside = braces > 0 || (groups_open > 0 && (token.is(',') || token.undeclared()));
-    const bool new_block = (braces == 0 && stops(token, Skip::statement, moved)) ||
-                           (braces == braces_lost && token.kind == Kind::directive);
-    if ((moved || !stuck) && ((!inside && stops(token, skip, moved)) || new_block)) {
+    const bool macro = token.holds<MacroPtr>() != nullptr;
+    const bool in_group = groups_open > 0 && (token.is(',') || token.undeclared() || macro);
+    const bool new_thing = braces == 0 && !(in_group && macro) && stops(token, Skip::statement, moved);
+    const bool new_line = braces == braces_lost && token.kind == Kind::directive;
+    const bool stop = braces == 0 && !in_group && stops(token, skip, moved);
+    if ((moved || !stuck) && (stop || new_thing || new_line)) {
       if (was_pushed) push_back(token);
       else f.position = before;
       break;

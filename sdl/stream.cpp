@@ -149,6 +149,16 @@ Token Parser::next_name() {
   return token;
 }
 
+Token Parser::next_held(bool expand) {
+  const bool expanded = expand_macros_, held = holding_;
+  expand_macros_ = expand;
+  holding_ = true;
+  Token token = next();
+  expand_macros_ = expanded;
+  holding_ = held;
+  return token;
+}
+
 Token Parser::next_value() {
   Token token = next();
   while (const auto* array = token.holds<ArrayPtr>()) {

@@ -1,0 +1,3 @@
+sphere { 0, 1 }
+light
+camera { location 0 }

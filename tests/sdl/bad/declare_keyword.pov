@@ -1,0 +1,3 @@
+#declare x = 3;
+#declare sin = 4;
+#declare 5 = 6;

@@ -1,0 +1,5 @@
+#declare
+#declare A
+#declare B =
+#declare C = ;
+sphere { 0, 1 }

@@ -1,0 +1,2 @@
+#include "nosuch.inc"
+sphere { Unknown*2, 1 }

@@ -1,0 +1,2 @@
+#macro M(A)
+sphere { 0, A }

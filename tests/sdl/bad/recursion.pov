@@ -1,0 +1,2 @@
+#macro Again(N) Again(N + 1) #end
+Again(0)

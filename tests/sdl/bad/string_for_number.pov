@@ -1,0 +1,2 @@
+sphere { "origin"*2, 1 }
+#declare A = 1 + "one";

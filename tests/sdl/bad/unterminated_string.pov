@@ -1,0 +1,2 @@
+#declare S = "abc;
+sphere { 0, 1 }
