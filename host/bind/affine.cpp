@@ -77,9 +77,8 @@ double determinant_sign(const Affines& list) {
 Affine inverse(const Affine& a) {
   const auto c = cofactors(a);
   const double det = determinant(a);
-  const std::array<std::array<double, 3>, 3> rows{{{c[0].x, c[1].x, c[2].x},
-                                                   {c[0].y, c[1].y, c[2].y},
-                                                   {c[0].z, c[1].z, c[2].z}}};
+  const std::array<std::array<double, 3>, 3> rows{
+      {{c[0].x, c[1].x, c[2].x}, {c[0].y, c[1].y, c[2].y}, {c[0].z, c[1].z, c[2].z}}};
   Affine inv;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) inv.m[i][j] = rows[i][j] / det;
@@ -100,7 +99,9 @@ Vec3 transform_direction(const Affine& a, Vec3 d) {
           d.x * a.m[0][2] + d.y * a.m[1][2] + d.z * a.m[2][2]};
 }
 
-Vec3 transform_point(const Affine& a, Vec3 p) { return transform_direction(a, p) + translation_of(a); }
+Vec3 transform_point(const Affine& a, Vec3 p) {
+  return transform_direction(a, p) + translation_of(a);
+}
 
 Vec3 transform_point(const Affines& list, Vec3 p) {
   for (const Affine& a : list) p = transform_point(a, p);

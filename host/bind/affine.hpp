@@ -1,5 +1,6 @@
 // Transforms as lists of elementary steps (row vectors, as POV-Ray), one Affine each so that their
-// exact composition is left to the solids; and what such a list does to points, directions and normals.
+// exact composition is left to the solids; and what such a list does to points, directions and
+// normals.
 #pragma once
 #include <vector>
 

@@ -62,13 +62,19 @@ Schema scene_schema(Context& context, RawScene& raw) {
       {"expect", "{}", [=](const Args& a) { r->expectations.push_back(a.block); },
        "a number that the scene must give"},
       {"#default", "{}", [](const Args&) {}, "textures are not rendered"},
+      {"default", "{}", [](const Args&) {}, "the same"},
       {"luminous", "{}",
-       [=](const Args& a) { c->error(a.where, "'luminous' belongs inside an object: a polygon, a disc, a box"); },
+       [=](const Args& a) {
+         c->error(a.where, "'luminous' belongs inside an object: a polygon, a disc, a box");
+       },
        "inside an object"}};
   schema.ignored = {
-      {"%s is not rendered: light comes from luminous surfaces and the background", true, {"light_source"}},
+      {"%s is not rendered: light comes from luminous surfaces and the background",
+       true,
+       {"light_source"}},
       {"%s is not rendered", true, {"fog", "rainbow", "media", "photons", "radiosity"}},
-      {"%s stands outside any object and does nothing", true,
+      {"%s stands outside any object and does nothing",
+       true,
        {"texture", "pigment", "finish", "normal", "material", "interior", "transform", "spectrum",
         "polarizer", "index", "rotation", "absorption", "color_map", "density"}}};
   return schema;
@@ -81,10 +87,12 @@ void tell_what_is_missing(Context& context, const sdl::Document& document) {
   const auto lit = [](const Samples& s) {
     return std::any_of(s.begin(), s.end(), [](double radiance) { return radiance > 0; });
   };
-  const bool shines = lit(scene.sky) || std::any_of(scene.emissions.begin(), scene.emissions.end(),
-                                                    [&](const Emission& e) { return lit(e.radiance); });
+  const bool shines =
+      lit(scene.sky) || std::any_of(scene.emissions.begin(), scene.emissions.end(),
+                                    [&](const Emission& e) { return lit(e.radiance); });
   if (!shines)
-    context.warning(where, "nothing shines: a 'background { }' or a 'luminous { }' surface gives light");
+    context.warning(where,
+                    "nothing shines: a 'background { }' or a 'luminous { }' surface gives light");
 }
 
 void bind_all(Context& context, const sdl::Document& document) {
@@ -104,7 +112,8 @@ void bind_all(Context& context, const sdl::Document& document) {
 
 }  // namespace
 
-Scene bind(const sdl::Document& document, const BindOptions& options, sdl::Diagnostics& diagnostics) {
+Scene bind(const sdl::Document& document, const BindOptions& options,
+           sdl::Diagnostics& diagnostics) {
   Scene scene;
   scene.path = options.path;
   Context context(scene, options, diagnostics);

@@ -12,9 +12,9 @@ namespace nicol {
 
 // What the command line knows, or wants otherwise than the scene says.
 struct BindOptions {
-  int width = 640, height = 480;     // of the picture
-  std::string path;                  // of the scene, for Scene::path
-  std::vector<double> lambda_nm;     // empty: as the scene says
+  int width = 640, height = 480;  // of the picture
+  std::string path;               // of the scene, for Scene::path
+  std::vector<double> lambda_nm;  // empty: as the scene says
   std::optional<int> max_trace_level;
   std::optional<double> adc_bailout;
   std::optional<int> samples;
@@ -23,7 +23,8 @@ struct BindOptions {
 };
 
 // All errors are collected in `diagnostics`; the Scene is whole only if none was added.
-Scene bind(const sdl::Document& document, const BindOptions& options, sdl::Diagnostics& diagnostics);
+Scene bind(const sdl::Document& document, const BindOptions& options,
+           sdl::Diagnostics& diagnostics);
 
 // Every block and word that bind understands, as Markdown tables.
 std::string vocabulary();

@@ -1,6 +1,6 @@
-// camera { } with POV-Ray's defaults and in its fixed order: angle, look_at, transforms, whatever the
-// order of writing. Numbers measured on POV-Ray 3.7: `angle` of an orthographic camera shows as much as
-// a perspective one would see at look_at (which is <0,0,1> unless said).
+// camera { } with POV-Ray's defaults and in its fixed order: angle, look_at, transforms, whatever
+// the order of writing. Numbers measured on POV-Ray 3.7: `angle` of an orthographic camera shows as
+// much as a perspective one would see at look_at (which is <0,0,1> unless said).
 #include "host/bind/parts.hpp"
 #include "host/bind/units.hpp"
 #include "host/bind/vec.hpp"
@@ -48,7 +48,8 @@ void apply_look_at(Context& context, RawCamera& raw, Location where) {
 bool usable(Context& context, const RawCamera& raw, Location where) {
   const Vec3 n = cross(raw.right, raw.up);
   if (length(n) == 0 || length(raw.direction) == 0) {
-    context.error(where, "the camera's 'right', 'up' and 'direction' must not vanish or be parallel");
+    context.error(where,
+                  "the camera's 'right', 'up' and 'direction' must not vanish or be parallel");
     return false;
   }
   if (std::abs(dot(normalize(n), normalize(raw.direction))) < 1e-9) {
@@ -57,8 +58,9 @@ bool usable(Context& context, const RawCamera& raw, Location where) {
   }
   const double skew = std::abs(dot(normalize(raw.right), normalize(raw.up)));
   if (skew > 1e-9)
-    context.warning(where, "Camera vectors are not perpendicular. Making look_at the last statement "
-                           "may help.");
+    context.warning(where,
+                    "Camera vectors are not perpendicular. Making look_at the last statement "
+                    "may help.");
   return true;
 }
 
@@ -67,8 +69,9 @@ void tell_squeeze(Context& context, const RawCamera& raw, Location where) {
   if (raw.has_right) return;
   const double picture = static_cast<double>(context.options.width) / context.options.height;
   if (std::abs(picture / (4.0 / 3) - 1) > 0.01)
-    context.note(where, "the camera is 4/3 wide, as POV-Ray's default is, but the picture is not: "
-                        "'right x*image_width/image_height' keeps circles round");
+    context.note(where,
+                 "the camera is 4/3 wide, as POV-Ray's default is, but the picture is not: "
+                 "'right x*image_width/image_height' keeps circles round");
 }
 
 void store(Context& context, const RawCamera& raw, Location where) {
@@ -98,12 +101,14 @@ void store(Context& context, const RawCamera& raw, Location where) {
 Schema camera_schema(Context& context, RawCamera& raw) {
   Context* c = &context;
   RawCamera* r = &raw;
-  const auto type_unknown = [c](const Args& a) {
+  const auto type_unknown = [=](const Args& a) {
+    r->has_other_type = true;
     c->error(a.where, "nicol has two cameras, 'perspective' and 'orthographic'");
   };
   Schema schema{
       "camera",
-      {{"perspective", "", [=](const Args&) { r->orthographic = false; }, "rays from one point (default)"},
+      {{"perspective", "", [=](const Args&) { r->orthographic = false; },
+        "rays from one point (default)"},
        {"orthographic", "", [=](const Args&) { r->orthographic = true; }, "parallel rays"},
        {"location", "v", [=](const Args& a) { r->location = a.vectors[0]; }, "the eye (<0,0,0>)"},
        {"direction", "v", [=](const Args& a) { r->direction = a.vectors[0]; }, "ahead (<0,0,1>)"},
@@ -114,7 +119,8 @@ Schema camera_schema(Context& context, RawCamera& raw) {
         },
         "width of the picture at `direction` (4/3 x, whatever the picture's size)"},
        {"up", "v", [=](const Args& a) { r->up = a.vectors[0]; }, "its height (y)"},
-       {"sky", "v", [=](const Args& a) { r->sky = a.vectors[0]; }, "what `look_at` keeps upright (y)"},
+       {"sky", "v", [=](const Args& a) { r->sky = a.vectors[0]; },
+        "what `look_at` keeps upright (y)"},
        {"look_at", "v",
         [=](const Args& a) {
           r->look_at = a.vectors[0];
@@ -123,19 +129,24 @@ Schema camera_schema(Context& context, RawCamera& raw) {
         "turns the camera to this point"},
        {"angle", "n",
         [=](const Args& a) {
-          if (a.numbers[0] >= 180) c->error(a.where, "Viewing angle has to be smaller than 180 degrees.");
-          else if (a.numbers[0] <= 0) c->error(a.where, "Viewing angle has to be greater than 0 degrees.");
+          if (r->has_other_type) return;
+          if (a.numbers[0] >= 180)
+            c->error(a.where, "Viewing angle has to be smaller than 180 degrees.");
+          else if (a.numbers[0] <= 0)
+            c->error(a.where, "Viewing angle has to be greater than 0 degrees.");
           else r->angle_deg = a.numbers[0];
         },
         "degrees across the width"},
        {"polarizer", "{}", [=](const Args& a) { r->polarizer = a.block; },
         "the analyzer; its x axis is the picture's right, its y axis the camera's up"}},
-      {{"focal blur (%s) is not rendered: the camera is a pinhole", true,
+      {{"focal blur (%s) is not rendered: the camera is a pinhole",
+        true,
         {"aperture", "blur_samples", "focal_point", "confidence", "variance", "bokeh"}},
        {"%s of a camera is not rendered", true, {"normal"}}}};
-  for (const char* type : {"fisheye", "ultra_wide_angle", "omnimax", "panoramic", "spherical",
-                           "cylinder", "mesh_camera"})
+  for (const char* type :
+       {"fisheye", "ultra_wide_angle", "omnimax", "panoramic", "spherical", "cylinder"})
     schema.rules.push_back({type, "*", type_unknown, "an error: nicol has the two above"});
+  schema.rules.push_back({"mesh_camera", "{}", type_unknown, "likewise"});
   add_transform_rules(schema, raw.transforms, context);
   return schema;
 }

@@ -6,7 +6,8 @@
 namespace nicol {
 
 bool Context::is_new(Location where, const std::string& message) {
-  if (!said_.emplace(where.file, where.line, where.column, where.call, message).second) return false;
+  if (!said_.emplace(where.file, where.line, where.column, where.call, message).second)
+    return false;
   if (said_.size() <= limits.complaints) return true;
   diagnostics_.error(where, "more than " + std::to_string(limits.complaints) +
                                 " complaints about this scene: the rest is not shown");

@@ -18,12 +18,12 @@ struct RawObject;  // parts.hpp
 struct GiveUp {};
 
 struct Limits {
-  std::size_t objects = 1'000'000;      // after expansion of shared blocks
-  std::size_t transforms = 4'000'000;   // of all objects together
-  std::size_t steps = 60'000'000;       // items looked at; a block costs `block_steps`
+  std::size_t objects = 1'000'000;     // after expansion of shared blocks
+  std::size_t transforms = 4'000'000;  // of all objects together
+  std::size_t steps = 60'000'000;      // items looked at; a block costs `block_steps`
   std::size_t block_steps = 16;
   std::size_t complaints = 200;
-  int depth = 300;                      // unions in unions, identifiers in identifiers
+  int depth = 300;  // unions in unions, identifiers in identifiers
   std::size_t wavelengths = 1024;
 };
 
@@ -71,7 +71,8 @@ class Context {
   bool is_new(Location where, const std::string& message);
 
   sdl::Diagnostics& diagnostics_;
-  std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, std::string>> said_;
+  std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, std::string>>
+      said_;
   std::set<std::string> keys_;
   std::size_t steps_ = 0;
   int depth_ = 0;

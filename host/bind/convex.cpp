@@ -1,5 +1,6 @@
 // Convex solids as lists of half-spaces: box, crystal, intersection (and difference) of planes and
-// convex solids. Children of an intersection keep transforms of their own, applied to their planes here.
+// convex solids. Children of an intersection keep transforms of their own, applied to their planes
+// here.
 #include <algorithm>
 
 #include "host/bind/parts.hpp"
@@ -25,7 +26,7 @@ Faces box_faces(const RawObject& raw) {
   const Vec3 a = raw.vectors[0], b = raw.vectors[1];
   const Vec3 low{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
   const Vec3 high{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-  return {{{-1, 0, 0}, -low.x}, {{1, 0, 0}, high.x}, {{0, -1, 0}, -low.y},
+  return {{{-1, 0, 0}, -low.x}, {{1, 0, 0}, high.x},  {{0, -1, 0}, -low.y},
           {{0, 1, 0}, high.y},  {{0, 0, -1}, -low.z}, {{0, 0, 1}, high.z}};
 }
 
@@ -57,15 +58,17 @@ bool own_faces(Context& context, const RawObject& raw, Faces& faces) {
       faces = {*h};
   if (!faces.empty()) return true;
   if (kind == "prism" || kind == "polygon" || kind == "disc" || kind == "union")
-    context.error(raw.block->where, "'" + kind + "' cannot be cut yet; planes, boxes and crystals can");
+    context.error(raw.block->where,
+                  "'" + kind + "' cannot be cut yet; planes, boxes and crystals can");
   return false;
 }
 
 // Turned inside out: what `inverse` and `difference` ask for. Only one plane stays convex.
 bool complement(Context& context, const RawObject& raw, Faces& faces) {
   if (faces.size() != 1) {
-    context.error(raw.block->where, "only a plane can be subtracted or inverted: a crystal minus '" +
-                                        kind_of(raw) + "' would not be convex");
+    context.error(raw.block->where,
+                  "only a plane can be subtracted or inverted: a crystal minus '" + kind_of(raw) +
+                      "' would not be convex");
     return false;
   }
   faces[0].normal = -faces[0].normal;
@@ -89,7 +92,8 @@ bool append_faces(Context& context, const sdl::Block& block, bool outside, Faces
 
 }  // namespace
 
-std::optional<HalfSpace> half_space(Context& context, Location where, Vec3 normal, double distance) {
+std::optional<HalfSpace> half_space(Context& context, Location where, Vec3 normal,
+                                    double distance) {
   const int axes = (normal.x != 0) + (normal.y != 0) + (normal.z != 0);
   if (axes == 0) {
     context.error(where, "Degenerate plane normal.");
@@ -103,7 +107,8 @@ std::optional<ConvexShape> convex_shape(Context& context, const RawObject& raw) 
   ConvexShape shape;
   if (!own_faces(context, raw, shape.faces)) return std::nullopt;
   if (raw.inverse) {
-    context.error(raw.block->where, "an inverse solid fills all of space; only planes can be inverted");
+    context.error(raw.block->where,
+                  "an inverse solid fills all of space; only planes can be inverted");
     return std::nullopt;
   }
   return shape;

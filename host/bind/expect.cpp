@@ -12,9 +12,11 @@ using Quantity = Expectation::Quantity;
 bool among_wavelengths(Context& context, const Expectation& e) {
   double nearest_nm = context.scene.lambda_nm.front();
   for (double lambda_nm : context.scene.lambda_nm)
-    if (std::abs(lambda_nm - e.lambda_nm) < std::abs(nearest_nm - e.lambda_nm)) nearest_nm = lambda_nm;
+    if (std::abs(lambda_nm - e.lambda_nm) < std::abs(nearest_nm - e.lambda_nm))
+      nearest_nm = lambda_nm;
   if (std::abs(nearest_nm - e.lambda_nm) < 1e-6) return true;
-  context.error(e.where, to_text(e.lambda_nm) + " nm is not among the scene's wavelengths; the nearest is " +
+  context.error(e.where, to_text(e.lambda_nm) +
+                             " nm is not among the scene's wavelengths; the nearest is " +
                              to_text(nearest_nm));
   return false;
 }
@@ -40,10 +42,13 @@ bool complete(Context& context, const RawExpectation& raw) {
   const Expectation& e = raw.expectation;
   const std::size_t errors_before = context.error_count();
   if (!raw.has_quantity)
-    context.error(e.where, "Expected a quantity ('relative_radiance', 'stokes', 'xyz', 'rgb', 'chromaticity', "
-                           "'rotation_deg' or 'malus_xyz') in 'expect'");
+    context.error(
+        e.where,
+        "Expected a quantity ('relative_radiance', 'stokes', 'xyz', 'rgb', 'chromaticity', "
+        "'rotation_deg' or 'malus_xyz') in 'expect'");
   if (!raw.has_within) context.error(e.where, "Expected 'within' and a tolerance in 'expect'");
-  if (e.source.empty()) context.error(e.where, "Expected 'source' and a string in 'expect': who says so?");
+  if (e.source.empty())
+    context.error(e.where, "Expected 'source' and a string in 'expect': who says so?");
   return context.error_count() == errors_before;
 }
 
@@ -88,7 +93,8 @@ Schema expect_schema(Context& context, RawExpectation& raw) {
            {"stokes", "nt",
             [=](const Args& a) {
               e->lambda_nm = a.numbers[0];
-              if (a.tuple.size() != 4) c->error(a.where, "'stokes' takes a vector of four: <S0, S1, S2, S3>");
+              if (a.tuple.size() != 4)
+                c->error(a.where, "'stokes' takes a vector of four: <S0, S1, S2, S3>");
               set(Quantity::stokes, a, a.tuple);
             },
             "nm, <S0, S1, S2, S3> over the same"},
@@ -100,7 +106,9 @@ Schema expect_schema(Context& context, RawExpectation& raw) {
             },
             "`rgb <R, G, B>`: linear sRGB, before `exposure`"},
            {"chromaticity", "p",
-            [=](const Args& a) { set(Quantity::chromaticity, a, {a.points[0][0], a.points[0][1]}); },
+            [=](const Args& a) {
+              set(Quantity::chromaticity, a, {a.points[0][0], a.points[0][1]});
+            },
             "<x, y>, CIE 1931"},
            {"rotation_deg", "nn", spectral(Quantity::rotation_deg),
             "nm, degrees over the refracted chord of the first solid"},
@@ -109,9 +117,11 @@ Schema expect_schema(Context& context, RawExpectation& raw) {
               e->length_mm = a.numbers[0] * c->scene.settings.mm_per_unit;
               set(Quantity::malus_xyz, a, xyz_of(a));
             },
-            "length (scene units), <X, Y, Z> of the first light times cos^2 of the rotation in the first solid that rotates"},
+            "length (scene units), <X, Y, Z> of the first light times cos^2 of the rotation in the "
+            "first solid that rotates"},
            {"at", "p", [=](const Args& a) { e->at = a.points[0]; },
-            "place in the picture, exactly: <0,0> its upper left corner, <1,1> its lower right (<0.5,0.5>)"},
+            "place in the picture, exactly: <0,0> its upper left corner, <1,1> its lower right "
+            "(<0.5,0.5>)"},
            {"within", "n",
             [=](const Args& a) {
               r->has_within = true;
@@ -125,7 +135,8 @@ Schema expect_schema(Context& context, RawExpectation& raw) {
               e->tolerance /= 100;
             },
             "the tolerance is in percent of the value"},
-           {"relative", "", [=](const Args&) { e->relative = true; }, "the tolerance is a part of the value"},
+           {"relative", "", [=](const Args&) { e->relative = true; },
+            "the tolerance is a part of the value"},
            {"source", "s", [=](const Args& a) { e->source = a.text; }, "whose number it is"}},
           {}};
 }
@@ -138,7 +149,8 @@ void bind_expectation(Context& context, const sdl::Block& block) {
   if (context.error_count() != errors_before || !complete(context, raw)) return;
   const auto& at = raw.expectation.at;
   if (at[0] < 0 || at[0] > 1 || at[1] < 0 || at[1] > 1) {
-    context.error(block.where, "'at' lies outside the picture (0 to 1 from the left and from the top)");
+    context.error(block.where,
+                  "'at' lies outside the picture (0 to 1 from the left and from the top)");
     return;
   }
   if (refers_to_something(context, raw.expectation))

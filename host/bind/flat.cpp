@@ -1,4 +1,5 @@
-// polygon, disc and prism: lists of points become contours, each closed by repeating its first point.
+// polygon, disc and prism: lists of points become contours, each closed by repeating its first
+// point.
 #include <algorithm>
 
 #include "host/bind/parts.hpp"
@@ -70,7 +71,8 @@ std::optional<DiscShape> disc_shape(Context& context, const RawObject& raw) {
 std::optional<PrismShape> prism_shape(Context& context, const RawObject& raw) {
   if (raw.points.empty()) return std::nullopt;
   PrismShape shape{contours(context, raw.block->where, "Linear prism", raw.numbers[2], raw.points),
-                   std::min(raw.numbers[0], raw.numbers[1]), std::max(raw.numbers[0], raw.numbers[1])};
+                   std::min(raw.numbers[0], raw.numbers[1]),
+                   std::max(raw.numbers[0], raw.numbers[1])};
   if (shape.contours.empty()) return std::nullopt;
   return shape;
 }

@@ -1,5 +1,5 @@
-// index { }: the refractive index as a formula or a table; and the sampling of formulas at the scene's
-// wavelengths, with an error that names the wavelengths where a formula has no value.
+// index { }: the refractive index as a formula or a table; and the sampling of formulas at the
+// scene's wavelengths, with an error that names the wavelengths where a formula has no value.
 #include <cmath>
 
 #include "host/bind/parts.hpp"
@@ -9,9 +9,8 @@ namespace nicol {
 std::vector<std::pair<double, double>> table_points(Context& context, const Args& args) {
   std::vector<double> numbers = args.numbers;
   if (args.block) {
-    const Schema list{"table",
-                      {{"", "N", [&](const Args& a) { numbers = a.numbers; }, "pairs"}},
-                      {}};
+    const Schema list{
+        "table", {{"", "N", [&](const Args& a) { numbers = a.numbers; }, "pairs"}}, {}};
     read_block(context, *args.block, list);
   }
   std::vector<std::pair<double, double>> points;
@@ -74,40 +73,42 @@ Schema index_schema(Context& context, const char* name, IndexFormula& formula) {
     f->kind = Kind::table;
     f->points = table_points(*c, a);
   };
-  return {name,
-          {{"constant", "n", set(Kind::constant), "n"},
-           {"cauchy", "N", set(Kind::cauchy), "A, B, C, ...: n = A + B/l^2 + C/l^4 + ... (l in um)"},
-           {"sellmeier", "N", set(Kind::sellmeier),
-            "B1, C1, B2, C2, ...: n^2 = 1 + sum B l^2/(l^2 - C), C in um^2"},
-           {"formula", "nN",
-            [=](const Args& a) {
-              *f = {};
-              f->kind = Kind::numbered;
-              f->number = static_cast<int>(a.numbers[0]);
-              if (f->number != a.numbers[0]) f->number = 0;
-              f->coefficients.assign(a.numbers.begin() + 1, a.numbers.end());
-            },
-            "K, c1, c2, ...: formula 1..9 of refractiveindex.info"},
-           {"table", "{}", set_table, "nm, n, nm, n, ..."},
-           {"table", "N", set_table, "the same without braces"},
-           {"mean", "",
-            [=](const Args&) {
-              *f = {};
-              f->kind = Kind::mean;
-            },
-            "arithmetic mean of the `index { }` blocks that follow"},
-           {"index", "{}",
-            [=](const Args& a) {
-              IndexFormula part;
-              bind_index(*c, "index", *a.block, part);
-              if (f->kind == Kind::mean) f->parts.push_back(part);
-              else *f = part;
-            },
-            "a declared index, or a part of a mean"}},
-          {}};
+  return {
+      name,
+      {{"constant", "n", set(Kind::constant), "n"},
+       {"cauchy", "N", set(Kind::cauchy), "A, B, C, ...: n = A + B/l^2 + C/l^4 + ... (l in um)"},
+       {"sellmeier", "N", set(Kind::sellmeier),
+        "B1, C1, B2, C2, ...: n^2 = 1 + sum B l^2/(l^2 - C), C in um^2"},
+       {"formula", "nN",
+        [=](const Args& a) {
+          *f = {};
+          f->kind = Kind::numbered;
+          f->number = static_cast<int>(a.numbers[0]);
+          if (f->number != a.numbers[0]) f->number = 0;
+          f->coefficients.assign(a.numbers.begin() + 1, a.numbers.end());
+        },
+        "K, c1, c2, ...: formula 1..9 of refractiveindex.info"},
+       {"table", "{}", set_table, "nm, n, nm, n, ..."},
+       {"table", "N", set_table, "the same without braces"},
+       {"mean", "",
+        [=](const Args&) {
+          *f = {};
+          f->kind = Kind::mean;
+        },
+        "arithmetic mean of the `index { }` blocks that follow"},
+       {"index", "{}",
+        [=](const Args& a) {
+          IndexFormula part;
+          bind_index(*c, "index", *a.block, part);
+          if (f->kind == Kind::mean) f->parts.push_back(part);
+          else *f = part;
+        },
+        "a declared index, or a part of a mean"}},
+      {}};
 }
 
-void bind_index(Context& context, const char* name, const sdl::Block& block, IndexFormula& formula) {
+void bind_index(Context& context, const char* name, const sdl::Block& block,
+                IndexFormula& formula) {
   formula = {};
   const std::size_t errors_before = context.error_count();
   read_block(context, block, index_schema(context, name, formula));

@@ -25,8 +25,8 @@ Schema pigment_schema(std::optional<SpectrumFormula>& colour, const char* name) 
 
 Samples sampled(Context& context, const SpectrumFormula& formula, Location where) {
   using Kind = SpectrumFormula::Kind;
-  const bool black = formula.scale == 0 || (formula.kind == Kind::rgb &&
-                                            formula.numbers == std::vector<double>{0, 0, 0});
+  const bool black = formula.scale == 0 ||
+                     (formula.kind == Kind::rgb && formula.numbers == std::vector<double>{0, 0, 0});
   if (black) return Samples(context.scene.lambda_nm.size(), 0.0);
   std::string reason;
   Samples radiance =
@@ -67,8 +67,8 @@ Schema spectrum_schema(Context& context, SpectrumFormula& formula) {
         "factor; a spectrum of scale 1 has Y = 1"}},
       {}};
   const std::vector<std::pair<const char*, Kind>> named = {
-      {"d65", Kind::d65}, {"D65", Kind::d65}, {"a", Kind::a}, {"A", Kind::a},
-      {"e", Kind::e}, {"E", Kind::e}, {"equal_energy", Kind::e}};
+      {"d65", Kind::d65}, {"D65", Kind::d65}, {"a", Kind::a},           {"A", Kind::a},
+      {"e", Kind::e},     {"E", Kind::e},     {"equal_energy", Kind::e}};
   for (const auto& [word, kind] : named)
     schema.rules.push_back({word, "", [f, k = kind](const Args&) { set_named(*f, k); },
                             kind == Kind::e ? "equal energy" : "CIE standard illuminant"});
@@ -87,17 +87,18 @@ Schema sky_schema(Context& context, const char* name, const sdl::Block*& spectru
   const sdl::Block** block = &spectrum;
   auto* out = &colour;
   Schema schema = pigment_schema(colour, name);
-  schema.rules.push_back({"spectrum", "{}", [=](const Args& a) { *block = a.block; }, "its spectrum"});
-  schema.rules.push_back({"pigment", "{}", [=](const Args& a) {
-    Schema pigment = pigment_schema(*out, "pigment");
-    pigment.ignored = {{"nicol's sky is uniform: %s is not rendered", true,
-                        {"gradient", "color_map", "colour_map", "bozo", "granite", "turbulence",
-                         "pigment_map", "image_map", "function", "wrinkles", "planar", "lambda",
-                         "octaves", "omega", "scale", "translate", "rotate"}}};
-    read_block(*c, *a.block, pigment);
-  }, "a pigment of one colour"});
+  schema.rules.push_back(
+      {"spectrum", "{}", [=](const Args& a) { *block = a.block; }, "its spectrum"});
+  schema.rules.push_back({"pigment", "{}",
+                          [=](const Args& a) {
+                            Schema pigment = pigment_schema(*out, "pigment");
+                            pigment.lenient = "nicol's sky is uniform: %s is not rendered";
+                            read_block(*c, *a.block, pigment);
+                          },
+                          "a pigment of one colour"});
   if (std::string(name) == "sky_sphere")
-    schema.ignored = {{"a uniform sky needs no %s", false, {"rotate", "scale", "translate", "emission"}}};
+    schema.ignored = {
+        {"a uniform sky needs no %s", false, {"rotate", "scale", "translate", "emission"}}};
   return schema;
 }
 
@@ -109,7 +110,10 @@ void bind_sky(Context& context, const sdl::Block& block) {
   if (context.scene.sky_where.line)
     context.warning(block.where, "More than one sky in scene. Ignoring the previous one.");
   if (!spectrum && !colour) {
-    if (context.error_count() == errors_before)
+    if (block.name == "sky_sphere")
+      context.warning(block.where,
+                      "a 'sky_sphere' of more than one color is not rendered: the sky stays black");
+    else if (context.error_count() == errors_before)
       context.error(block.where, "Expected a color or 'spectrum' in '" + block.name + "'");
     return;
   }

@@ -19,9 +19,8 @@ Samples rotation_samples(Context& context, const RawMedium& raw) {
   if (!wrong.empty()) context.error(raw.rotation_where, "'rotation': " + wrong);
   if (!wrong.empty() || raw.rotation.kind == RotationFormula::Kind::none)
     return Samples(context.scene.lambda_nm.size(), 0.0);
-  return sample(context, raw.rotation_where, "'rotation'", [&](double lambda_nm) {
-    return rotation_deg_per_mm(raw.rotation, lambda_nm);
-  });
+  return sample(context, raw.rotation_where, "'rotation'",
+                [&](double lambda_nm) { return rotation_deg_per_mm(raw.rotation, lambda_nm); });
 }
 
 // Negative values would make light out of nothing.
@@ -42,9 +41,11 @@ Samples not_negative(Context& context, const AbsorptionFormula& formula, Locatio
 }
 
 Samples extinction_samples(Context& context, const RawMedium& raw) {
-  const Samples per_mm = not_negative(context, raw.absorption, raw.absorption_where, "'absorption'");
+  const Samples per_mm =
+      not_negative(context, raw.absorption, raw.absorption_where, "'absorption'");
   Samples k = not_negative(context, raw.extinction, raw.extinction_where, "'extinction'");
-  for (std::size_t i = 0; i < k.size(); ++i) k[i] += extinction(per_mm[i], context.scene.lambda_nm[i]);
+  for (std::size_t i = 0; i < k.size(); ++i)
+    k[i] += extinction(per_mm[i], context.scene.lambda_nm[i]);
   return k;
 }
 
@@ -73,8 +74,8 @@ int index_of_equal(Context& context, Medium medium) {
 }
 
 // A table or constant under the words of AbsorptionFormula.
-void bind_absorption(Context& context, const char* name, const Args& args, AbsorptionFormula& formula,
-                     Location& where) {
+void bind_absorption(Context& context, const char* name, const Args& args,
+                     AbsorptionFormula& formula, Location& where) {
   formula = {};
   where = args.where;
   const std::size_t errors_before = context.error_count();
@@ -108,19 +109,20 @@ Schema rotation_schema(Context& context, RotationFormula& formula) {
     f->kind = Kind::table;
     f->points = table_points(*c, a);
   };
-  return {"rotation",
-          {{"constant", "n", set(Kind::constant), "deg/mm, > 0 dextro: clockwise facing the source"},
-           {"biot", "N", set(Kind::biot), "A[, B]: A/l^2 + B/l^4 (deg/mm, l in um)"},
-           {"drude", "N", set(Kind::drude),
-            "A1, L1, A2, L2, ...[, C]: C + sum A/(l^2 - L), L = lambda_i^2 in um^2"},
-           {"chandrasekhar", "N", set(Kind::chandrasekhar),
-            "k, lambda0: k l^2/(l^2 - lambda0^2)^2, lambda0 in um"},
-           {"table", "{}", set_table, "nm, deg/mm, ..."},
-           {"table", "N", set_table, "the same without braces"},
-           {"scale", "n", [=](const Args& a) { f->scale *= a.numbers[0]; }, "factor"},
-           {"left", "b", [=](const Args& a) { f->scale *= a.numbers[0] != 0 ? -1 : 1; },
-            "the left-handed crystal: changes the sign"}},
-          {}};
+  return {
+      "rotation",
+      {{"constant", "n", set(Kind::constant), "deg/mm, > 0 dextro: clockwise facing the source"},
+       {"biot", "N", set(Kind::biot), "A[, B]: A/l^2 + B/l^4 (deg/mm, l in um)"},
+       {"drude", "N", set(Kind::drude),
+        "A1, L1, A2, L2, ...[, C]: C + sum A/(l^2 - L), L = lambda_i^2 in um^2"},
+       {"chandrasekhar", "N", set(Kind::chandrasekhar),
+        "k, lambda0: k l^2/(l^2 - lambda0^2)^2, lambda0 in um"},
+       {"table", "{}", set_table, "nm, deg/mm, ..."},
+       {"table", "N", set_table, "the same without braces"},
+       {"scale", "n", [=](const Args& a) { f->scale *= a.numbers[0]; }, "factor"},
+       {"left", "b", [=](const Args& a) { f->scale *= a.numbers[0] != 0 ? -1 : 1; },
+        "the left-handed crystal: changes the sign"}},
+      {}};
 }
 
 Schema absorption_schema(Context& context, const char* name, AbsorptionFormula& formula) {
@@ -146,43 +148,46 @@ Schema absorption_schema(Context& context, const char* name, AbsorptionFormula& 
 Schema interior_schema(Context& context, RawMedium& raw) {
   Context* c = &context;
   RawMedium* r = &raw;
-  return {"interior",
-          {{"ior", "n",
-            [=](const Args& a) {
-              r->ior = a.numbers[0];
-              r->index.reset();
-              r->index_where = a.where;
-            },
-            "refractive index, as POV-Ray's"},
-           {"dispersion", "n", [=](const Args& a) { r->dispersion = a.numbers[0]; },
-            "POV-Ray's n(violet)/n(red), with `ior`"},
-           {"index", "{}",
-            [=](const Args& a) {
-              r->index_where = a.where;
-              bind_index(*c, "index", *a.block, r->index.emplace());
-            },
-            "refractive index by formula or table"},
-           {"rotation", "{}", [=](const Args& a) { bind_rotation(*c, a, *r); },
-            "of the plane of polarization"},
-           {"absorption", "{}",
-            [=](const Args& a) {
-              bind_absorption(*c, "absorption", a, r->absorption, r->absorption_where);
-            },
-            "of intensity, per mm"},
-           {"extinction", "{}",
-            [=](const Args& a) {
-              bind_absorption(*c, "extinction", a, r->extinction, r->extinction_where);
-            },
-            "the coefficient k, in place of absorption or added to it"},
-           {"circular_waves", "b", [=](const Args& a) { r->circular_waves = a.numbers[0] != 0; },
-            "trace the two circular waves n +- kappa instead of one ray (off)"},
-           {"source", "s", [=](const Args& a) { r->source = a.text; }, "where the numbers are from"},
-           {"name", "s", [=](const Args& a) { r->name = a.text; }, "for messages"}},
-          {{"%s of an interior is not rendered; 'absorption { }' dims by the path", true,
-            {"fade_distance", "fade_power", "fade_color", "fade_colour"}},
-           {"%s of an interior is not rendered", true, {"caustics", "media"}},
-           {"%s is accepted: the scene's 'wavelengths' say what is computed", false,
-            {"dispersion_samples"}}}};
+  return {
+      "interior",
+      {{"ior", "n",
+        [=](const Args& a) {
+          r->ior = a.numbers[0];
+          r->index.reset();
+          r->index_where = a.where;
+        },
+        "refractive index, as POV-Ray's"},
+       {"dispersion", "n", [=](const Args& a) { r->dispersion = a.numbers[0]; },
+        "POV-Ray's n(violet)/n(red), with `ior`"},
+       {"index", "{}",
+        [=](const Args& a) {
+          r->index_where = a.where;
+          bind_index(*c, "index", *a.block, r->index.emplace());
+        },
+        "refractive index by formula or table"},
+       {"rotation", "{}", [=](const Args& a) { bind_rotation(*c, a, *r); },
+        "of the plane of polarization"},
+       {"absorption", "{}",
+        [=](const Args& a) {
+          bind_absorption(*c, "absorption", a, r->absorption, r->absorption_where);
+        },
+        "of intensity, per mm"},
+       {"extinction", "{}",
+        [=](const Args& a) {
+          bind_absorption(*c, "extinction", a, r->extinction, r->extinction_where);
+        },
+        "the coefficient k, in place of absorption or added to it"},
+       {"circular_waves", "b", [=](const Args& a) { r->circular_waves = a.numbers[0] != 0; },
+        "trace the two circular waves n +- kappa instead of one ray (off)"},
+       {"source", "s", [=](const Args& a) { r->source = a.text; }, "where the numbers are from"},
+       {"name", "s", [=](const Args& a) { r->name = a.text; }, "for messages"}},
+      {{"%s of an interior is not rendered; 'absorption { }' dims by the path",
+        true,
+        {"fade_distance", "fade_power", "fade_color", "fade_colour"}},
+       {"%s of an interior is not rendered", true, {"caustics", "media"}},
+       {"%s is accepted: the scene's 'wavelengths' say what is computed",
+        false,
+        {"dispersion_samples"}}}};
 }
 
 std::optional<int> bind_medium(Context& context, const sdl::Block& interior) {

@@ -8,13 +8,18 @@ namespace nicol {
 
 namespace {
 
-const std::vector<const char*> rendered = {"box",    "crystal", "plane", "prism", "polygon", "disc",
-                                           "object", "union",   "intersection", "difference"};
-const std::vector<const char*> not_rendered = {
-    "sphere", "cylinder", "cone", "torus", "triangle", "smooth_triangle", "mesh", "mesh2", "merge",
-    "quadric", "cubic", "quartic", "poly", "polynomial", "superellipsoid", "lathe", "sor", "blob",
-    "height_field", "text", "isosurface", "parametric", "julia_fractal", "bicubic_patch",
-    "sphere_sweep", "ovus", "light_group"};
+const std::vector<const char*> rendered = {"box",          "crystal",   "plane",  "prism",
+                                           "polygon",      "disc",      "object", "union",
+                                           "intersection", "difference"};
+const std::vector<const char*> not_rendered = {"sphere",       "cylinder",      "cone",
+                                               "torus",        "triangle",      "smooth_triangle",
+                                               "mesh",         "mesh2",         "merge",
+                                               "quadric",      "cubic",         "quartic",
+                                               "poly",         "polynomial",    "superellipsoid",
+                                               "lathe",        "sor",           "blob",
+                                               "height_field", "text",          "isosurface",
+                                               "parametric",   "julia_fractal", "bicubic_patch",
+                                               "sphere_sweep", "ovus",          "light_group"};
 
 bool holds(const std::vector<const char*>& list, std::string_view name) {
   return std::any_of(list.begin(), list.end(), [&](const char* word) { return name == word; });
@@ -28,61 +33,79 @@ void add_shape_rules(Context* c, const std::string& kind, RawObject* r, Schema& 
   };
   auto& rules = schema.rules;
   if (kind == "box") rules.push_back({"", "vv", store, "two opposite corners"});
-  if (kind == "plane") rules.push_back({"", "vn", store, "normal, distance along it; only inside an `intersection`"});
-  if (kind == "disc") rules.push_back({"", "vvN", store, "centre, normal, radius[, radius of the hole]"});
-  if (kind == "polygon") rules.push_back({"", "nV", store, "number of points, points; each contour ends where it began"});
+  if (kind == "plane")
+    rules.push_back({"", "vn", store, "normal, distance along it; only inside an `intersection`"});
+  if (kind == "disc")
+    rules.push_back({"", "vvN", store, "centre, normal, radius[, radius of the hole]"});
+  if (kind == "polygon")
+    rules.push_back(
+        {"", "nV", store, "number of points, points; each contour ends where it began"});
   if (kind == "crystal") {
     const auto facet = [=](const Args& a) {
-      if (const auto h = half_space(*c, a.where, a.vectors[0], a.numbers[0])) r->facets.push_back(*h);
+      if (const auto h = half_space(*c, a.where, a.vectors[0], a.numbers[0]))
+        r->facets.push_back(*h);
     };
-    rules.push_back({"facet", "vn", facet, "outward normal (right-handed Cartesian axes), distance along it"});
+    rules.push_back(
+        {"facet", "vn", facet, "outward normal (right-handed Cartesian axes), distance along it"});
     rules.push_back({"face", "vn", facet, "the same"});
   }
   if (kind == "prism") {
-    rules.push_back({"", "nnnP", store, "y of the foot, y of the top, number of points, points <x,z>"});
+    rules.push_back(
+        {"", "nnnP", store, "y of the foot, y of the top, number of points, points <x,z>"});
     const auto nothing = [](const Args&) {};
     rules.push_back({"linear_spline", "", nothing, "straight sides (default)"});
     rules.push_back({"linear_sweep", "", nothing, "the same outline all along y (default)"});
     rules.push_back({"open", "", nothing, "accepted: a crystal is closed"});
     rules.push_back({"sturm", "b", nothing, "accepted"});
     for (const char* word : {"quadratic_spline", "cubic_spline", "bezier_spline", "conic_sweep"})
-      rules.push_back({word, "", [=](const Args& a) {
-        c->error(a.where, std::string("a prism with '") + word +
-                              "' is not rendered; 'linear_spline' with 'linear_sweep' is");
-      }, "an error: not rendered"});
+      rules.push_back({word, "",
+                       [=](const Args& a) {
+                         c->error(a.where,
+                                  std::string("a prism with '") + word +
+                                      "' is not rendered; 'linear_spline' with 'linear_sweep' is");
+                       },
+                       "an error: not rendered"});
   }
 }
 
 Schema material_schema(RawObject* r) {
   return {"material",
           {{"interior", "{}", [=](const Args& a) { r->interior = a.block; }, "the medium"}},
-          {{"%s is not rendered: nicol renders transparent crystals, polarizers and lights", true,
+          {{"%s is not rendered: nicol renders transparent crystals, polarizers and lights",
+            true,
             {"texture"}}}};
 }
 
 void add_modifier_rules(Context* c, RawObject* r, Schema& schema) {
   auto& rules = schema.rules;
-  rules.push_back({"interior", "{}", [=](const Args& a) { r->interior = a.block; }, "the medium inside"});
-  rules.push_back({"material", "{}", [=](const Args& a) { read_block(*c, *a.block, material_schema(r)); },
+  rules.push_back(
+      {"interior", "{}", [=](const Args& a) { r->interior = a.block; }, "the medium inside"});
+  rules.push_back({"material", "{}",
+                   [=](const Args& a) { read_block(*c, *a.block, material_schema(r)); },
                    "its `interior` is taken"});
   rules.push_back({"luminous", "{}", [=](const Args& a) { r->lights.push_back(a.block); },
                    "a sheet or a face that shines"});
   rules.push_back({"polarizer", "{}", [=](const Args& a) { r->polarizer = a.block; },
                    "a sheet that polarizes"});
-  rules.push_back({"optical_contact", "b", [=](const Args& a) { r->optical_contact = a.numbers[0] != 0; },
+  rules.push_back({"optical_contact", "b",
+                   [=](const Args& a) { r->optical_contact = a.numbers[0] != 0; },
                    "touches its neighbours without a gap"});
   rules.push_back({"inverse", "", [=](const Args&) { r->inverse = !r->inverse; },
                    "of a plane: the other side"});
-  rules.push_back({"clipped_by", "{}", [=](const Args& a) {
-    c->error(a.where, "'clipped_by' is not rendered; 'intersection' cuts solids");
-  }, "an error: not rendered"});
+  rules.push_back({"clipped_by", "{}",
+                   [=](const Args& a) {
+                     c->error(a.where, "'clipped_by' is not rendered; 'intersection' cuts solids");
+                   },
+                   "an error: not rendered"});
   schema.ignored = {
-      {"%s is not rendered: nicol renders transparent crystals, polarizers and lights", true,
+      {"%s is not rendered: nicol renders transparent crystals, polarizers and lights",
+       true,
        {"texture", "pigment", "finish", "normal", "photons", "uv_mapping", "light_source",
         "interior_texture", "media"}},
-      {"", false,
+      {"",
+       false,
        {"bounded_by", "no_shadow", "no_image", "no_reflection", "no_radiosity", "hollow",
-        "double_illuminate", "split_union", "cutaway_textures", "uv_vectors"}}};
+        "double_illuminate", "split_union", "cutaway_textures", "uv_vectors", "sturm"}}};
 }
 
 void read_words(Context& context, const sdl::Block& block, RawObject& raw) {
@@ -99,10 +122,10 @@ void read_words(Context& context, const sdl::Block& block, RawObject& raw) {
   const bool has_values = !raw.vectors.empty() || !raw.points.empty() || !raw.facets.empty();
   const bool shaped = schema.find("", false) || block.name == "crystal";
   if (shaped && !has_values && raw.children.empty() && context.error_count() == errors_before)
-    context.error(block.end_where, block.name == "crystal"
-                                       ? "Expected 'facet', } of 'crystal' found instead"
-                                       : "Expected 'numeric expression', } of '" + block.name +
-                                             "' found instead");
+    context.error(block.end_where,
+                  block.name == "crystal"
+                      ? "Expected 'facet', } of 'crystal' found instead"
+                      : "Expected 'numeric expression', } of '" + block.name + "' found instead");
 }
 
 }  // namespace

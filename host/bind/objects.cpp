@@ -1,5 +1,5 @@
-// Objects: unions and instances are written out, each solid and sheet gets its transforms, its medium,
-// its polarizer and its light.
+// Objects: unions and instances are written out, each solid and sheet gets its transforms, its
+// medium, its polarizer and its light.
 #include <algorithm>
 
 #include "host/bind/parts.hpp"
@@ -64,10 +64,12 @@ void fill_sheet(Context& context, const Chain* chain, const PolarizerPlane& plan
   const auto& lights = nearest(chain, &RawObject::lights);
   const sdl::Block* polarizer = nearest(chain, &RawObject::polarizer);
   if (lights.empty() == (polarizer == nullptr)) {
-    context.error(where, lights.empty()
-                             ? "this " + object.kind + " neither shines ('luminous { }') nor "
-                               "polarizes ('polarizer { }'); nicol does not render opaque surfaces"
-                             : "a light's polarizer is written inside 'luminous { }'");
+    context.error(where,
+                  lights.empty()
+                      ? "this " + object.kind +
+                            " neither shines ('luminous { }') nor "
+                            "polarizes ('polarizer { }'); nicol does not render opaque surfaces"
+                      : "a light's polarizer is written inside 'luminous { }'");
     return;
   }
   if (polarizer) {
@@ -76,7 +78,8 @@ void fill_sheet(Context& context, const Chain* chain, const PolarizerPlane& plan
   }
   RawLuminous raw;
   read_block(context, *lights.back(), luminous_schema(context, raw));
-  if (raw.face) context.error(lights.back()->where, "'face' names a face of a solid, not of a " + object.kind);
+  if (raw.face)
+    context.error(lights.back()->where, "'face' names a face of a solid, not of a " + object.kind);
   object.emission = add_emission(context, *lights.back(), raw, plane);
 }
 
@@ -125,7 +128,8 @@ void add_face_light(Context& context, const sdl::Block& block, const RawLuminous
   object.face_emissions.push_back({face, add_emission(context, block, raw, plane)});
 }
 
-void add_face_lights(Context& context, const Chain* chain, const ConvexShape& shape, Object& object) {
+void add_face_lights(Context& context, const Chain* chain, const ConvexShape& shape,
+                     Object& object) {
   for (const sdl::Block* block : nearest(chain, &RawObject::lights)) {
     RawLuminous raw;
     read_block(context, *block, luminous_schema(context, raw));
@@ -135,7 +139,8 @@ void add_face_lights(Context& context, const Chain* chain, const ConvexShape& sh
     } else if (const auto face = nearest_face(shape, *raw.face)) {
       add_face_light(context, *block, raw, *face, shape, object);
     } else {
-      context.error(block->where, "'face' is as near to two faces, or to none: name one by its outward normal");
+      context.error(block->where,
+                    "'face' is as near to two faces, or to none: name one by its outward normal");
     }
   }
 }
@@ -148,8 +153,9 @@ void tell_mirror(Context& context, const Chain* chain, const Object& object) {
   for (const Chain* c = chain; c; c = c->outer) sign *= determinant_sign(c->raw->transforms);
   if (sign < 0 && (turns || object.kind == "crystal"))
     context.warn_once("mirror", object.where,
-                      "transforms mirror this " + object.kind + ", but not its medium: the rotation of "
-                      "the plane of polarization keeps its sense ('left' changes it)");
+                      "transforms mirror this " + object.kind +
+                          ", but not its medium: the rotation of "
+                          "the plane of polarization keeps its sense ('left' changes it)");
 }
 
 void fill_solid(Context& context, const Chain* chain, bool shines_all_over, Object& object) {
@@ -158,12 +164,14 @@ void fill_solid(Context& context, const Chain* chain, bool shines_all_over, Obje
   } else if (shines_all_over) {
     object.medium = 0;  // nothing sees its inside
   } else {
-    context.error(object.where, object.kind + " has no interior with an index; nicol renders "
-                                              "transparent crystals, polarizers and lights");
+    context.error(object.where, object.kind +
+                                    " has no interior with an index; nicol renders "
+                                    "transparent crystals, polarizers and lights");
   }
   if (nearest(chain, &RawObject::polarizer))
-    context.error(object.where, "a solid does not polarize: lay a polygon or disc with 'polarizer { }' "
-                                "on its face, or write the polarizer inside 'luminous { }'");
+    context.error(object.where,
+                  "a solid does not polarize: lay a polygon or disc with 'polarizer { }' "
+                  "on its face, or write the polarizer inside 'luminous { }'");
   tell_mirror(context, chain, object);
 }
 
@@ -202,8 +210,9 @@ void add_leaf(Context& context, const Chain* chain) {
   if (object.kind == "disc") return add_disc(context, chain, object);
   if (object.kind == "prism") return add_prism(context, chain, object);
   if (object.kind == "plane") {
-    context.error(object.where, "a plane alone is infinite, and nothing of it can be rendered; cut a solid "
-                                "from planes with 'intersection', or use 'polygon' or 'disc'");
+    context.error(object.where,
+                  "a plane alone is infinite, and nothing of it can be rendered; cut a solid "
+                  "from planes with 'intersection', or use 'polygon' or 'disc'");
     return;
   }
   add_convex(context, chain, object);
@@ -219,7 +228,7 @@ void add_object(Context& context, const sdl::Block& block, const Chain* outer) {
       context.error(block.where, "'" + block.name + "' holds more than one object; 'union' may");
     for (const sdl::Block* child : raw.children) add_object(context, *child, &chain);
   } else if (block.name == "object") {
-    context.error(block.where, "Expected an object in 'object', } found instead");
+    if (raw.sound) context.error(block.where, "Expected an object in 'object', } found instead");
   } else if (raw.sound) {
     add_leaf(context, &chain);
   }

@@ -24,7 +24,7 @@ struct RawCamera {
   bool orthographic = false;
   Vec3 location{0, 0, 0}, direction{0, 0, 1}, right{4.0 / 3, 0, 0}, up{0, 1, 0}, sky{0, 1, 0};
   Vec3 look_at{0, 0, 1};
-  bool has_look_at = false, has_right = false;
+  bool has_look_at = false, has_right = false, has_other_type = false;
   std::optional<double> angle_deg;
   Affines transforms;
   const sdl::Block* polarizer = nullptr;
@@ -36,8 +36,8 @@ void default_camera(Context& context);
 // ---- polarizer.cpp ----
 // The plane in which a polarizer's angle is counted: from x towards y. World axes.
 struct PolarizerPlane {
-  Vec3 x, y;               // unit, perpendicular
-  Affines axis_transforms; // what turns the vector of `axis` into the world
+  Vec3 x, y;                // unit, perpendicular
+  Affines axis_transforms;  // what turns the vector of `axis` into the world
 };
 struct RawPolarizer {
   Polarizer::Kind kind = Polarizer::Kind::ideal;
@@ -49,7 +49,8 @@ struct RawPolarizer {
 Schema polarizer_schema(Context& context, RawPolarizer& raw);
 std::optional<int> bind_polarizer(Context& context, const sdl::Block& block,
                                   const PolarizerPlane& plane);
-// Planes of a polarizer on a face or disc with this outward normal, or on a polygon with these corners.
+// Planes of a polarizer on a face or disc with this outward normal, or on a polygon with these
+// corners.
 PolarizerPlane plane_of_face(Vec3 normal, const Affines& transforms);
 PolarizerPlane plane_of_polygon(const std::vector<Vec3>& corners, const Affines& transforms);
 
@@ -107,8 +108,8 @@ struct RawObject {
   bool optical_contact = false, inverse = false;
   bool sound = false;  // no error in its words
 };
-bool is_object(std::string_view name);   // of nicol's or POV-Ray's
-std::vector<std::string> object_names(); // of nicol's
+bool is_object(std::string_view name);    // of nicol's or POV-Ray's
+std::vector<std::string> object_names();  // of nicol's
 Schema object_schema(Context& context, const char* kind, RawObject& raw);
 // Reads a block once, however often it is named.
 const RawObject& read_object(Context& context, const sdl::Block& block);

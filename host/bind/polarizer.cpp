@@ -1,9 +1,10 @@
-// polarizer { } on a camera, a light or a sheet. `angle` is the azimuth of the plane that passes, counted
-// in the polarizer's plane from its x axis towards its y axis (parts.hpp: PolarizerPlane):
-//   camera    x = the picture's right, y = the camera's up: counter-clockwise as the picture shows it
-//   polygon   x = its first edge, y = across it, on the side of its last corner
-//   disc, face of a solid   x = the shape's x axis put into the plane (its z axis, if x is the normal),
-//                           y = counter-clockwise from x, seen from the outer side (where the normal points)
+// polarizer { } on a camera, a light or a sheet. `angle` is the azimuth of the plane that passes,
+// counted in the polarizer's plane from its x axis towards its y axis (parts.hpp: PolarizerPlane):
+//   camera    x = the picture's right, y = the camera's up: counter-clockwise as the picture shows
+//   it polygon   x = its first edge, y = across it, on the side of its last corner disc, face of a
+//   solid   x = the shape's x axis put into the plane (its z axis, if x is the normal),
+//                           y = counter-clockwise from x, seen from the outer side (where the
+//                           normal points)
 #include "host/bind/parts.hpp"
 #include "host/bind/units.hpp"
 #include "host/bind/vec.hpp"
@@ -48,26 +49,29 @@ Polarizer::Kind kind_of(const RawPolarizer& raw) {
 Schema polarizer_schema(Context& context, RawPolarizer& raw) {
   Context* c = &context;
   RawPolarizer* r = &raw;
-  return {"polarizer",
-          {{"ideal", "", [=](const Args&) { r->calcite = false; }, "passes a projection (default)"},
-           {"calcite", "", [=](const Args&) { r->calcite = true; },
-            "the founding paper's plate: ordinary ray only, Fresnel at both faces"},
-           {"angle", "n", [=](const Args& a) { r->angle_deg = a.numbers[0]; },
-            "degrees, azimuth of the plane that passes"},
-           {"axis", "v", [=](const Args& a) { r->axis = a.vectors[0]; },
-            "instead: the direction that passes, put into the plane"},
-           {"projection", "w",
-            [=](const Args& a) {
-              if (a.text == "absorption") r->absorbing = true;
-              else if (a.text == "transmission") r->absorbing = false;
-              else c->error(a.where, "Expected 'transmission' or 'absorption', '" + a.text + "' found instead");
-            },
-            "`transmission` (default) or `absorption`: which axis is projected across an oblique ray"},
-           {"index_o", "{}", [=](const Args& a) { bind_index(*c, "index_o", *a.block, r->index_o); },
-            "calcite: ordinary index (Ghosh 1999)"},
-           {"index_e", "{}", [=](const Args& a) { bind_index(*c, "index_e", *a.block, r->index_e); },
-            "calcite: extraordinary index (Ghosh 1999)"}},
-          {}};
+  return {
+      "polarizer",
+      {{"ideal", "", [=](const Args&) { r->calcite = false; }, "passes a projection (default)"},
+       {"calcite", "", [=](const Args&) { r->calcite = true; },
+        "the founding paper's plate: ordinary ray only, Fresnel at both faces"},
+       {"angle", "n", [=](const Args& a) { r->angle_deg = a.numbers[0]; },
+        "degrees, azimuth of the plane that passes"},
+       {"axis", "v", [=](const Args& a) { r->axis = a.vectors[0]; },
+        "instead: the direction that passes, put into the plane"},
+       {"projection", "w",
+        [=](const Args& a) {
+          if (a.text == "absorption") r->absorbing = true;
+          else if (a.text == "transmission") r->absorbing = false;
+          else
+            c->error(a.where,
+                     "Expected 'transmission' or 'absorption', '" + a.text + "' found instead");
+        },
+        "`transmission` (default) or `absorption`: which axis is projected across an oblique ray"},
+       {"index_o", "{}", [=](const Args& a) { bind_index(*c, "index_o", *a.block, r->index_o); },
+        "calcite: ordinary index (Ghosh 1999)"},
+       {"index_e", "{}", [=](const Args& a) { bind_index(*c, "index_e", *a.block, r->index_e); },
+        "calcite: extraordinary index (Ghosh 1999)"}},
+      {}};
 }
 
 std::optional<int> bind_polarizer(Context& context, const sdl::Block& block,

@@ -10,12 +10,24 @@ namespace {
 
 const char* expected_name(char kind) {
   switch (kind) {
-    case 'n': case 'N': case 'b': return "numeric expression";
-    case 'v': case 'V': case 'm': case 't': return "vector expression";
-    case 'p': case 'P': return "2D vector expression";
-    case 'c': return "color expression";
-    case 's': return "string expression";
-    default: return "word";
+    case 'n':
+    case 'N':
+    case 'b':
+      return "numeric expression";
+    case 'v':
+    case 'V':
+    case 'm':
+    case 't':
+      return "vector expression";
+    case 'p':
+    case 'P':
+      return "2D vector expression";
+    case 'c':
+      return "color expression";
+    case 's':
+      return "string expression";
+    default:
+      return "word";
   }
 }
 
@@ -66,7 +78,8 @@ class Reader {
       args.block = &inner;
       return rule->act(args);
     }
-    if (schema_.inherits && inner.name == schema_.block) return read_block(context_, inner, schema_);
+    if (schema_.inherits && inner.name == schema_.block)
+      return read_block(context_, inner, schema_);
     if (const Ignored* ignored = schema_.find_ignored(inner.name)) {
       tell_ignored(*ignored, inner.name, where);
     } else {
@@ -98,9 +111,10 @@ class Reader {
   bool missing(char kind) {
     const bool at_end = at_ >= block_.items.size();
     const Location where = at_end ? block_.end_where : block_.items[at_].where;
-    context_.error(where, std::string("Expected '") + expected_name(kind) + "', " +
-                              (at_end ? "} of '" + block_.name + "'" : describe(block_.items[at_])) +
-                              " found instead");
+    context_.error(where,
+                   std::string("Expected '") + expected_name(kind) + "', " +
+                       (at_end ? "} of '" + block_.name + "'" : describe(block_.items[at_])) +
+                       " found instead");
     return false;
   }
 
@@ -112,11 +126,20 @@ class Reader {
 
   bool take(char kind, Args& args) {
     switch (kind) {
-      case '*': skip_values(); return true;
-      case 'N': case 'V': case 'P': return take_many(kind, args);
-      case 'b': return take_switch(args);
-      case 'w': case 's': return take_text(kind, args);
-      default: return take_one(kind, args);
+      case '*':
+        skip_values();
+        return true;
+      case 'N':
+      case 'V':
+      case 'P':
+        return take_many(kind, args);
+      case 'b':
+        return take_switch(args);
+      case 'w':
+      case 's':
+        return take_text(kind, args);
+      default:
+        return take_one(kind, args);
     }
   }
 
@@ -201,11 +224,12 @@ class Reader {
     if (message.empty()) return;
     const std::size_t hole = message.find("%s");
     if (hole != std::string::npos) message.replace(hole, 2, "'" + word + "'");
-    if (ignored.warns) context_.warn_once(word, where, message);
+    if (ignored.warns) context_.warn_once(ignored.reason + word, where, message);
     else context_.note_once(ignored.reason, where, message);
   }
 
   void complain_unknown(const std::string& what, const std::string& name, Location where) {
+    if (schema_.lenient) return tell_ignored({schema_.lenient, true, {}}, name, where);
     std::vector<std::string> known = schema_.known_blocks;
     for (const Rule& rule : schema_.rules)
       if (*rule.name) known.push_back(rule.name);
@@ -256,7 +280,8 @@ std::string unknown(const std::string& what, const std::string& name, const std:
   if (!near.empty()) return message + "; did you mean '" + near + "'?";
   std::string list;
   for (const std::string& word : known)
-    if (list.find("'" + word + "'") == std::string::npos) list += (list.empty() ? "'" : ", '") + word + "'";
+    if (list.find("'" + word + "'") == std::string::npos)
+      list += (list.empty() ? "'" : ", '") + word + "'";
   return list.empty() ? message : message + "; known here: " + list;
 }
 

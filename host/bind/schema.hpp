@@ -1,6 +1,6 @@
-// The words that a block may hold, as a table of rules, and the one reader that walks a block by such
-// a table: it checks the kinds of arguments, names unknown words with the nearest known one, and
-// tells what is accepted but not rendered.
+// The words that a block may hold, as a table of rules, and the one reader that walks a block by
+// such a table: it checks the kinds of arguments, names unknown words with the nearest known one,
+// and tells what is accepted but not rendered.
 #pragma once
 #include <functional>
 #include <string>
@@ -12,27 +12,28 @@ namespace nicol {
 
 // What a rule's action is given: its arguments, already of the right kinds.
 struct Args {
-  Location where;                       // of the word, or of the block's name
-  const sdl::Block* block = nullptr;    // kind "{}"
-  std::vector<double> numbers;          // kinds n, b and N; 12 of a matrix
-  std::vector<Vec3> vectors;            // kinds v and V
+  Location where;                             // of the word, or of the block's name
+  const sdl::Block* block = nullptr;          // kind "{}"
+  std::vector<double> numbers;                // kinds n, b and N; 12 of a matrix
+  std::vector<Vec3> vectors;                  // kinds v and V
   std::vector<std::array<double, 2>> points;  // kinds p and P
-  std::vector<double> tuple;            // kind t: components of a vector of any size
-  std::string text;                     // kinds s and w
-  std::array<double, 3> colour{};       // kind c
+  std::vector<double> tuple;                  // kind t: components of a vector of any size
+  std::string text;                           // kinds s and w
+  std::array<double, 3> colour{};             // kind c
 };
 
 // Kinds of arguments, one letter each:
 //   n number   b on/off, may be left out (on)   v 3-vector (a number is promoted)   m 12-vector
-//   p 2-vector t vector of any size, or a number   c colour (or vector, or number)   s string   w word
+//   p 2-vector t vector of any size, or a number   c colour (or vector, or number)   s string   w
+//   word
 //   * whatever values follow, unread
 //   N, V, P    as many numbers, vectors, points as follow (at least one)
 //   {}         the rule is a block of this name;  [ ] nothing: a bare word
 struct Rule {
-  const char* name;   // "": what comes without a word
+  const char* name;  // "": what comes without a word
   const char* kinds;
   std::function<void(const Args&)> act;
-  const char* help;   // for the tables of the documentation
+  const char* help;  // for the tables of the documentation
 };
 
 struct Ignored {
@@ -47,6 +48,8 @@ struct Schema {
   std::vector<Ignored> ignored;
   bool inherits = true;  // a block of the same name inside stands for its contents
   std::function<bool(const sdl::Block&)> take_block = {};  // asked about each inner block first
+  const char* lenient =
+      nullptr;  // what a warning says of words not known here; else they are errors
   std::vector<std::string> known_blocks = {};  // what take_block takes, for messages
 
   const Rule* find(std::string_view name, bool as_block) const;

@@ -1,4 +1,5 @@
-// global_settings { }: scale, wavelengths, depth of the tree of rays, and what the picture is multiplied by.
+// global_settings { }: scale, wavelengths, depth of the tree of rays, and what the picture is
+// multiplied by.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -16,9 +17,11 @@ std::optional<double> positive(Context& context, const Args& args, const char* w
   return std::nullopt;
 }
 
-std::optional<int> integer(Context& context, const Args& args, const char* what, int low, int high) {
+std::optional<int> integer(Context& context, const Args& args, const char* what, int low,
+                           int high) {
   const double number = args.numbers[0];
-  if (number == std::floor(number) && number >= low && number <= high) return static_cast<int>(number);
+  if (number == std::floor(number) && number >= low && number <= high)
+    return static_cast<int>(number);
   context.error(args.where, std::string("'") + what + "' must be a whole number from " +
                                 std::to_string(low) + " to " + std::to_string(high) + ", " +
                                 to_text(number) + " found instead");
@@ -33,7 +36,8 @@ void append_range(Context& context, Location where, double from, double to, doub
   }
   const double count = std::floor((to - from) / step + 1e-9) + 1;
   if (count > static_cast<double>(context.limits.wavelengths)) {
-    context.error(where, "more than " + std::to_string(context.limits.wavelengths) + " wavelengths");
+    context.error(where,
+                  "more than " + std::to_string(context.limits.wavelengths) + " wavelengths");
     return;
   }
   for (int i = 0; i < static_cast<int>(count); ++i) lambda_nm.push_back(from + i * step);
@@ -53,7 +57,8 @@ void bind_wavelengths(Context& context, const sdl::Block& block, std::vector<dou
     context.error(block.where, "wavelengths (nm) must be greater than 0");
   if (lambda_nm.empty() && context.error_count() == errors_before)
     context.error(block.where, "Expected 'from', 'to' and 'step', or a list of wavelengths in nm");
-  if (context.error_count() != errors_before) lambda_nm.clear();  // the default serves for what follows
+  if (context.error_count() != errors_before)
+    lambda_nm.clear();  // the default serves for what follows
 }
 
 const char* const accepted = "%s is accepted, but means nothing to nicol";
@@ -86,38 +91,39 @@ Schema settings_schema(Context& context, RawSettings& raw) {
   RawSettings* r = &raw;
   Settings* s = &context.scene.settings;
   const auto nothing = [](const Args&) {};
-  return {"global_settings",
-          {{"mm_per_unit", "n",
-            [=](const Args& a) { s->mm_per_unit = positive(*c, a, "mm_per_unit").value_or(10); },
-            "millimetres of one scene unit (POV-Ray's default: 10)"},
-           {"max_trace_level", "n",
-            [=](const Args& a) {
-              s->max_trace_level = integer(*c, a, "max_trace_level", 1, 256).value_or(5);
-            },
-            "how many faces a path may meet (5)"},
-           {"adc_bailout", "n",
-            [=](const Args& a) {
-              if (a.numbers[0] < 0) c->error(a.where, "'adc_bailout' must not be negative");
-              else s->adc_bailout = a.numbers[0];
-            },
-            "the weight under which a path is cut off (1/255)"},
-           {"wavelengths", "{}",
-            [=](const Args& a) { bind_wavelengths(*c, *a.block, r->lambda_nm); },
-            "what is computed (from 380 to 780 step 20)"},
-           {"samples", "n",
-            [=](const Args& a) { s->samples = integer(*c, a, "samples", 1, 65536).value_or(1); },
-            "rays per pixel (1)"},
-           {"exposure", "n",
-            [=](const Args& a) { s->exposure = positive(*c, a, "exposure").value_or(1); },
-            "factor on the colours of the picture, not on its spectra (1)"},
-           {"polarization", "b", [=](const Args& a) { s->polarization = a.numbers[0] != 0; },
-            "off: intensities only"},
-           {"assumed_gamma", "*", nothing, "accepted: nicol computes with spectra"}},
-          {{accepted, false,
-            {"ambient_light", "hf_gray_16", "irid_wavelength", "charset", "max_intersections",
-             "number_of_waves", "noise_generator", "radiosity", "photons", "subsurface",
-             "ascii", "utf8", "sys"}},
-           {"", false, {"srgb"}}}};
+  return {
+      "global_settings",
+      {{"mm_per_unit", "n",
+        [=](const Args& a) { s->mm_per_unit = positive(*c, a, "mm_per_unit").value_or(10); },
+        "millimetres of one scene unit (POV-Ray's default: 10)"},
+       {"max_trace_level", "n",
+        [=](const Args& a) {
+          s->max_trace_level = integer(*c, a, "max_trace_level", 1, 256).value_or(5);
+        },
+        "how many faces a path may meet (5)"},
+       {"adc_bailout", "n",
+        [=](const Args& a) {
+          if (a.numbers[0] < 0) c->error(a.where, "'adc_bailout' must not be negative");
+          else s->adc_bailout = a.numbers[0];
+        },
+        "the weight under which a path is cut off (1/255)"},
+       {"wavelengths", "{}", [=](const Args& a) { bind_wavelengths(*c, *a.block, r->lambda_nm); },
+        "what is computed (from 380 to 780 step 20)"},
+       {"samples", "n",
+        [=](const Args& a) { s->samples = integer(*c, a, "samples", 1, 65536).value_or(1); },
+        "rays per pixel (1)"},
+       {"exposure", "n",
+        [=](const Args& a) { s->exposure = positive(*c, a, "exposure").value_or(1); },
+        "factor on the colours of the picture, not on its spectra (1)"},
+       {"polarization", "b", [=](const Args& a) { s->polarization = a.numbers[0] != 0; },
+        "off: intensities only"},
+       {"assumed_gamma", "*", nothing, "accepted: nicol computes with spectra"}},
+      {{accepted,
+        false,
+        {"ambient_light", "hf_gray_16", "irid_wavelength", "charset", "max_intersections",
+         "number_of_waves", "noise_generator", "radiosity", "photons", "subsurface", "ascii",
+         "utf8", "sys"}},
+       {"", false, {"srgb"}}}};
 }
 
 void finish_settings(Context& context, const RawSettings& raw) {

@@ -1,4 +1,5 @@
-// translate, rotate, scale, matrix and transform { }, as POV-Ray has them: one Affine per elementary step.
+// translate, rotate, scale, matrix and transform { }, as POV-Ray has them: one Affine per
+// elementary step.
 #include "host/bind/parts.hpp"
 #include "host/bind/vec.hpp"
 
@@ -24,9 +25,10 @@ void append_matrix(Context& context, const Args& args, Affines& list) {
 void append_transform_block(Context& context, const sdl::Block& block, Affines& list) {
   Affines inner;
   bool inverted = false;
-  Schema schema{"transform", {{"inverse", "", [&](const Args&) { inverted = true; },
-                               "the inverse of the whole block"}},
-                {}};
+  Schema schema{
+      "transform",
+      {{"inverse", "", [&](const Args&) { inverted = true; }, "the inverse of the whole block"}},
+      {}};
   add_transform_rules(schema, inner, context);
   read_block(context, block, schema);
   if (inverted) inner = inverse(inner);
@@ -38,23 +40,25 @@ void append_transform_block(Context& context, const sdl::Block& block, Affines& 
 void add_transform_rules(Schema& schema, Affines& list, Context& context) {
   Affines* to = &list;
   Context* c = &context;
-  schema.rules.push_back({"translate", "v", [=](const Args& a) {
-    to->push_back(translation(a.vectors[0]));
-  }, "moves"});
-  schema.rules.push_back({"rotate", "v", [=](const Args& a) {
-    append_rotation(*to, a.vectors[0]);
-  }, "degrees about x, then y, then z"});
-  schema.rules.push_back({"scale", "v", [=](const Args& a) {
-    const Vec3 by = a.vectors[0];
-    to->push_back(scaling({without_zero(*c, a.where, by.x, "X"), without_zero(*c, a.where, by.y, "Y"),
-                           without_zero(*c, a.where, by.z, "Z")}));
-  }, "stretches along the axes"});
+  schema.rules.push_back({"translate", "v",
+                          [=](const Args& a) { to->push_back(translation(a.vectors[0])); },
+                          "moves"});
+  schema.rules.push_back({"rotate", "v", [=](const Args& a) { append_rotation(*to, a.vectors[0]); },
+                          "degrees about x, then y, then z"});
+  schema.rules.push_back({"scale", "v",
+                          [=](const Args& a) {
+                            const Vec3 by = a.vectors[0];
+                            to->push_back(scaling({without_zero(*c, a.where, by.x, "X"),
+                                                   without_zero(*c, a.where, by.y, "Y"),
+                                                   without_zero(*c, a.where, by.z, "Z")}));
+                          },
+                          "stretches along the axes"});
   schema.rules.push_back({"matrix", "m", [=](const Args& a) { append_matrix(*c, a, *to); },
                           "3x4 matrix of row vectors"});
   if (schema.find("transform", true)) return;
-  schema.rules.push_back({"transform", "{}", [=](const Args& a) {
-    append_transform_block(*c, *a.block, *to);
-  }, "a list of transforms, `inverse` for its inverse"});
+  schema.rules.push_back({"transform", "{}",
+                          [=](const Args& a) { append_transform_block(*c, *a.block, *to); },
+                          "a list of transforms, `inverse` for its inverse"});
   schema.rules.push_back({"transform", "", [](const Args&) {}, "before a declared transform"});
 }
 

@@ -3,10 +3,10 @@
 // Text: POV-Ray's left-handed axes, scene units, degrees, absorption per mm, wavelengths in nm.
 // Scene: right-handed world, mm, rad, extinction coefficients, wavelengths in nm.
 //
-// to_world() negates z. A mirror of the whole scene together with its camera leaves the picture as it
-// was, so the picture is POV-Ray's, and what the eye sees right-handed is right-handed in the
-// computation. `crystal { }` is written in right-handed Cartesian axes; from_crystal() puts it in the
-// scene's axes by negating z, and to_world() negates it back: right quartz stays right quartz.
+// to_world() negates z. A mirror of the whole scene together with its camera leaves the picture as
+// it was, so the picture is POV-Ray's, and what the eye sees right-handed is right-handed in the
+// computation. `crystal { }` is written in right-handed Cartesian axes; from_crystal() puts it in
+// the scene's axes by negating z, and to_world() negates it back: right quartz stays right quartz.
 #pragma once
 #include "host/scene.hpp"
 

@@ -11,20 +11,47 @@ std::string arguments(const Rule& rule) {
   std::string text;
   for (const char* kind = rule.kinds; *kind; ++kind) {
     switch (*kind) {
-      case 'n': text += " number"; break;
-      case 'b': text += " [on|off]"; break;
-      case 'v': text += " <x,y,z>"; break;
-      case 'm': text += " <12 numbers>"; break;
-      case 'p': text += " <x,y>"; break;
-      case 't': text += " <vector>"; break;
-      case 'c': text += " rgb <r,g,b>"; break;
-      case 's': text += " \"text\""; break;
-      case 'w': text += " word"; break;
-      case 'N': text += " numbers..."; break;
-      case 'V': text += " <x,y,z>..."; break;
-      case '*': text += " values..."; break;
-      case 'P': text += " <x,z>..."; break;
-      default: break;
+      case 'n':
+        text += " number";
+        break;
+      case 'b':
+        text += " [on|off]";
+        break;
+      case 'v':
+        text += " <x,y,z>";
+        break;
+      case 'm':
+        text += " <12 numbers>";
+        break;
+      case 'p':
+        text += " <x,y>";
+        break;
+      case 't':
+        text += " <vector>";
+        break;
+      case 'c':
+        text += " rgb <r,g,b>";
+        break;
+      case 's':
+        text += " \"text\"";
+        break;
+      case 'w':
+        text += " word";
+        break;
+      case 'N':
+        text += " numbers...";
+        break;
+      case 'V':
+        text += " <x,y,z>...";
+        break;
+      case '*':
+        text += " values...";
+        break;
+      case 'P':
+        text += " <x,z>...";
+        break;
+      default:
+        break;
     }
   }
   return text;

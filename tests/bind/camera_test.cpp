@@ -1,4 +1,5 @@
-// POV-Ray's camera: its defaults, its fixed order, its traps. mm_per_unit 1 unless the test is about it.
+// POV-Ray's camera: its defaults, its fixed order, its traps. mm_per_unit 1 unless the test is
+// about it.
 #include "bound.hpp"
 #include "host/bind/units.hpp"
 
@@ -6,7 +7,8 @@ namespace nicol {
 
 namespace {
 
-const std::string mm = "global_settings { mm_per_unit 1 } background { rgb 1 } box { 0, 1 interior { ior 1.5 } }\n";
+const std::string mm =
+    "global_settings { mm_per_unit 1 } background { rgb 1 } box { 0, 1 interior { ior 1.5 } }\n";
 
 Camera camera(const std::string& text) { return bind_clean(mm + text).scene.camera; }
 
@@ -28,8 +30,10 @@ TEST_CASE("camera: right, up and the way back to the eye form a right-handed tri
 }
 
 TEST_CASE("camera: lengths become millimetres") {
-  const Camera c = bind_clean("background { rgb 1 } box { 0, 1 interior { ior 1.5 } }"
-                              "camera { location <1, 2, 3> }").scene.camera;
+  const Camera c = bind_clean(
+                       "background { rgb 1 } box { 0, 1 interior { ior 1.5 } }"
+                       "camera { location <1, 2, 3> }")
+                       .scene.camera;
   check_near(c.location, {10, 20, -30});
   check_near(c.right, {40.0 / 3, 0, 0}, 1e-11);
 }
@@ -94,7 +98,8 @@ TEST_CASE("camera: look_at along sky warns and keeps right") {
 
 TEST_CASE("camera: the last one wins with a warning") {
   const Bound b = bind_text(mm + "camera { location x } camera { location 2*x }");
-  CHECK(b.text().find("More than one camera in scene. Ignoring previous camera(s).") != std::string::npos);
+  CHECK(b.text().find("More than one camera in scene. Ignoring previous camera(s).") !=
+        std::string::npos);
   check_near(b.scene.camera.location, {2, 0, 0});
 }
 
@@ -106,28 +111,32 @@ TEST_CASE("camera: the default width in a square picture is told of, a written o
 }
 
 TEST_CASE("camera: a declared camera can be used and changed") {
-  const Camera c = camera("#declare C = camera { location <1, 2, 3> angle 40 } camera { C location 9*x }");
+  const Camera c =
+      camera("#declare C = camera { location <1, 2, 3> angle 40 } camera { C location 9*x }");
   check_near(c.location, {9, 0, 0});
   CHECK(length(c.direction) == doctest::Approx(2.0 / 3 / std::tan(radians(20))));
 }
 
 TEST_CASE("camera: focal blur warns once for each of its words") {
-  const Bound b = bind_text(mm + "camera { location -z aperture 0.4 blur_samples 20 focal_point 0 }");
+  const Bound b =
+      bind_text(mm + "camera { location -z aperture 0.4 blur_samples 20 focal_point 0 }");
   CHECK(b.count(sdl::Severity::warning) == 3);
   CHECK(b.count(sdl::Severity::error) == 0);
 }
 
 TEST_CASE("camera: the analyzer's angle runs from the picture's right towards its up") {
-  const Bound b = bind_clean(mm + "camera { location 10*y sky z look_at 0 right x polarizer { ideal angle 30 } }");
+  const Bound b = bind_clean(
+      mm + "camera { location 10*y sky z look_at 0 right x polarizer { ideal angle 30 } }");
   REQUIRE(b.scene.camera.polarizer);
   const Polarizer& p = b.scene.polarizers[*b.scene.camera.polarizer];
   check_near(b.scene.camera.up, {0, 0, -1});  // POV-Ray's z
   check_near(p.transmission_axis, {std::sqrt(0.75), 0, -0.5});
-  check_near(p.normal, {0, 1, 0});            // towards the eye
+  check_near(p.normal, {0, 1, 0});  // towards the eye
 }
 
 TEST_CASE("camera: the analyzer turns with the camera") {
-  const Bound b = bind_clean(mm + "camera { location -10*z right x polarizer { ideal angle 90 } rotate 90*z }");
+  const Bound b =
+      bind_clean(mm + "camera { location -10*z right x polarizer { ideal angle 90 } rotate 90*z }");
   check_near(b.scene.polarizers[0].transmission_axis, {-1, 0, 0});
 }
 

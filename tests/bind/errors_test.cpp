@@ -6,7 +6,7 @@ namespace nicol {
 namespace {
 
 struct Bad {
-  const char* text;     // line 1 is a good scene; the fault is on the line given
+  const char* text;  // line 1 is a good scene; the fault is on the line given
   int line;
   const char* message;
 };
@@ -14,17 +14,22 @@ struct Bad {
 const Bad bad[] = {
     {"box { 0, 1 interior { ior 1.5\n roation { constant 3 } } }", 3,
      "unknown block 'roation' in 'interior'; did you mean 'rotation'?"},
-    {"box { 0, 1 interior { iors 1.5 } }", 2, "unknown word 'iors' in 'interior'; did you mean 'ior'?"},
+    {"box { 0, 1 interior { iors 1.5 } }", 2,
+     "unknown word 'iors' in 'interior'; did you mean 'ior'?"},
     {"crystl { facet x, 1 }", 2, "unknown block 'crystl' in 'scene'; did you mean 'crystal'?"},
     {"box { 0, 1 interior { ior \"1.5\" } }", 2,
      "Expected 'numeric expression', string literal found instead"},
-    {"box { 0, 1 interior { ior <1, 2, 3> } }", 2, "Expected 'numeric expression', 3-vector found instead"},
-    {"box { 0 interior { ior 1.5 } }", 2, "Expected 'vector expression', 'interior' block found instead"},
-    {"box { 0, 1, 2 interior { ior 1.5 } }", 2, "Expected a word or block of 'box', number 2 found instead"},
+    {"box { 0, 1 interior { ior <1, 2, 3> } }", 2,
+     "Expected 'numeric expression', 3-vector found instead"},
+    {"box { 0 interior { ior 1.5 } }", 2,
+     "Expected 'vector expression', 'interior' block found instead"},
+    {"box { 0, 1, 2 interior { ior 1.5 } }", 2,
+     "Expected a word or block of 'box', number 2 found instead"},
     {"box { 0, 1 rotate \"x\" interior { ior 1.5 } }", 2,
      "Expected 'vector expression', string literal found instead"},
     {"box { 0, 1 }", 2,
-     "box has no interior with an index; nicol renders transparent crystals, polarizers and lights"},
+     "box has no interior with an index; nicol renders transparent crystals, polarizers and "
+     "lights"},
     {"box { 0, 1 interior { rotation { constant 3 } } }", 2,
      "this interior has no index: 'ior' or 'index { }' gives it one"},
     {"box { 0, 1 interior { index { } } }", 2, "Expected a formula or table in 'index'"},
@@ -43,18 +48,22 @@ const Bad bad[] = {
      "'intersection', or use 'polygon' or 'disc'"},
     {"intersection { plane { 0, 1 } interior { ior 1.5 } }", 2, "Degenerate plane normal."},
     {"sphere { 0, 1 interior { ior 1.5 } }", 2,
-     "nicol does not render 'sphere' yet; it renders box, prism, crystal, polygon, disc, unions of these, and "
+     "nicol does not render 'sphere' yet; it renders box, prism, crystal, polygon, disc, unions of "
+     "these, and "
      "intersections of planes, boxes and crystals"},
     {"difference { box { 0, 2 } box { 0, 1 } interior { ior 1.5 } }", 2,
      "only a plane can be subtracted or inverted: a crystal minus 'box' would not be convex"},
-    {"intersection { prism { 0, 1, 4, <0,0>, <1,0>, <0,1>, <0,0> } box { 0, 1 } interior { ior 1.5 } }", 2,
-     "'prism' cannot be cut yet; planes, boxes and crystals can"},
+    {"intersection { prism { 0, 1, 4, <0,0>, <1,0>, <0,1>, <0,0> } box { 0, 1 } interior { ior 1.5 "
+     "} }",
+     2, "'prism' cannot be cut yet; planes, boxes and crystals can"},
     {"prism { cubic_spline 0, 1, 4, <0,0>, <1,0>, <0,1>, <0,0> interior { ior 1.5 } }", 2,
      "a prism with 'cubic_spline' is not rendered; 'linear_spline' with 'linear_sweep' is"},
-    {"polygon { 5, 0, x, y, 0 luminous { } }", 2, "this Polygon announces 5 points, 4 found instead"},
+    {"polygon { 5, 0, x, y, 0 luminous { } }", 2,
+     "this Polygon announces 5 points, 4 found instead"},
     {"polygon { 3, 0, x, 0 luminous { } }", 2, "Polygon needs at least three points."},
     {"polygon { 4, 0, x, y, 0 }", 2,
-     "this polygon neither shines ('luminous { }') nor polarizes ('polarizer { }'); nicol does not render "
+     "this polygon neither shines ('luminous { }') nor polarizes ('polarizer { }'); nicol does not "
+     "render "
      "opaque surfaces"},
     {"polygon { 4, 0, x, y, 0 luminous { } polarizer { angle 0 } }", 2,
      "a light's polarizer is written inside 'luminous { }'"},
@@ -70,15 +79,19 @@ const Bad bad[] = {
     {"camera { angle 180 }", 2, "Viewing angle has to be smaller than 180 degrees."},
     {"camera { location 1 look_at 1 }", 2, "Camera location and look_at point must be different."},
     {"camera { fisheye angle 90 }", 2, "nicol has two cameras, 'perspective' and 'orthographic'"},
-    {"camera { right 0 }", 2, "the camera's 'right', 'up' and 'direction' must not vanish or be parallel"},
-    {"global_settings { mm_per_unit 0 }", 2, "'mm_per_unit' must be greater than 0, 0 found instead"},
+    {"camera { right 0 }", 2,
+     "the camera's 'right', 'up' and 'direction' must not vanish or be parallel"},
+    {"global_settings { mm_per_unit 0 }", 2,
+     "'mm_per_unit' must be greater than 0, 0 found instead"},
     {"global_settings { max_trace_level 2.5 }", 2,
      "'max_trace_level' must be a whole number from 1 to 256, 2.5 found instead"},
     {"global_settings { wavelengths { from 700 to 400 step 20 } }", 2,
      "wavelengths run from the shorter to the longer by a step greater than 0"},
     {"global_settings { wavelengths { 580, 580 } }", 2, "the same wavelength is given twice"},
-    {"global_settings { wavelengths { from 1 to 800 step 0.001 } }", 2, "more than 1024 wavelengths"},
-    {"expect { xyz <1, 1, 1> within 0.1 }", 2, "Expected 'source' and a string in 'expect': who says so?"},
+    {"global_settings { wavelengths { from 1 to 800 step 0.001 } }", 2,
+     "more than 1024 wavelengths"},
+    {"expect { xyz <1, 1, 1> within 0.1 }", 2,
+     "Expected 'source' and a string in 'expect': who says so?"},
     {"expect { xyz <1, 1, 1> source \"me\" }", 2, "Expected 'within' and a tolerance in 'expect'"},
     {"expect { relative_radiance 585, 1 within 0.1 source \"me\" }", 2,
      "585 nm is not among the scene's wavelengths; the nearest is 580"},
@@ -98,26 +111,32 @@ TEST_CASE("bad scenes: each is told, in these words, at this place") {
     const auto& all = bound.parsed->diagnostics.all();
     bool told = false;
     for (const auto& d : all)
-      told = told || (d.severity == sdl::Severity::error && static_cast<int>(d.where.line) == b.line &&
-                      (d.message == b.message || (!*b.message && !d.message.empty())));
+      told =
+          told || (d.severity == sdl::Severity::error && static_cast<int>(d.where.line) == b.line &&
+                   (d.message == b.message || (!*b.message && !d.message.empty())));
     CHECK(told);
     CHECK(bound.count(sdl::Severity::error) == 1);
   }
 }
 
 TEST_CASE("all errors of a scene, not only the first") {
-  const Bound b = bind_text("background { rgb 1 }\nsphere { 0, 1 }\nbox { 0, 1 }\ncamera { angel 3 }\nbox { 0, 1 interior { ior x } }");
+  const Bound b = bind_text(
+      "background { rgb 1 }\nsphere { 0, 1 }\nbox { 0, 1 }\ncamera { angel 3 }\nbox { 0, 1 "
+      "interior { ior x } }");
   CHECK(b.count(sdl::Severity::error) == 4);
 }
 
 TEST_CASE("a fault in a shared block is told once") {
-  const Bound b = bind_text(lit + "#declare B = box { 0, 1 }\n#for (I, 1, 100) object { B translate I*x } #end");
+  const Bound b = bind_text(
+      lit + "#declare B = box { 0, 1 }\n#for (I, 1, 100) object { B translate I*x } #end");
   CHECK(b.count(sdl::Severity::error) == 1);
 }
 
 TEST_CASE("what POV-Ray has and nicol has not is named once each") {
-  const Bound b = bind_text(lit + "light_source { 0, rgb 1 } light_source { 1, rgb 1 } fog { distance 3 }"
-                                  "box { 0, 1 pigment { rgb 1 } finish { phong 1 }" + glass + "}");
+  const Bound b = bind_text(lit +
+                            "light_source { 0, rgb 1 } light_source { 1, rgb 1 } fog { distance 3 }"
+                            "box { 0, 1 pigment { rgb 1 } finish { phong 1 }" +
+                            glass + "}");
   CHECK(b.count(sdl::Severity::warning) == 4);
   CHECK(b.count(sdl::Severity::error) == 0);
 }

@@ -1,4 +1,5 @@
-// The founding paper's scenes: nothing to complain of, and what can be checked without a picture holds.
+// The founding paper's scenes: nothing to complain of, and what can be checked without a picture
+// holds.
 #include "bound.hpp"
 #include "host/bind/affine.hpp"
 #include "host/optics/colour.hpp"
@@ -7,12 +8,14 @@ namespace nicol {
 
 namespace {
 
-const char* const figures[] = {"fig5_inactive", "fig5_active",  "fig6_large",   "fig6_small",  "fig7_camera1",
-                               "fig7_camera2",  "fig8_corner", "fig9_camera1", "fig9_camera2", "colours"};
+const char* const figures[] = {"fig5_inactive", "fig5_active",  "fig6_large",  "fig6_small",
+                               "fig7_camera1",  "fig7_camera2", "fig8_corner", "fig9_camera1",
+                               "fig9_camera2",  "colours"};
 
 Bound bind_figure(const std::string& name) {
   Bound b;
-  sdl::parse_file(std::string(SCENES_FOLDER "/founding/") + name + ".pov", test_options(), *b.parsed);
+  sdl::parse_file(std::string(SCENES_FOLDER "/founding/") + name + ".pov", test_options(),
+                  *b.parsed);
   BindOptions wanted;
   wanted.width = wanted.height = 400;
   b.scene = bind(b.parsed->document, wanted, b.parsed->diagnostics);

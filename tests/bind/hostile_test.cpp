@@ -1,4 +1,5 @@
-// Trees made to exhaust, built by hand because the parser refuses the like: each ends in an error, soon.
+// Trees made to exhaust, built by hand because the parser refuses the like: each ends in an error,
+// soon.
 #include <chrono>
 
 #include "bound.hpp"
@@ -52,7 +53,8 @@ void check_refused(const sdl::BlockPtr& top, const char* message, double most_se
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   CHECK(elapsed.count() < most_seconds);
   bool told = false;
-  for (const auto& d : diagnostics.all()) told = told || d.message.find(message) != std::string::npos;
+  for (const auto& d : diagnostics.all())
+    told = told || d.message.find(message) != std::string::npos;
   CHECK_MESSAGE(told, message);
 }
 
@@ -60,11 +62,13 @@ void check_refused(const sdl::BlockPtr& top, const char* message, double most_se
 
 TEST_CASE("shared objects doubled forty times") {
   check_refused(doubled(box(), "union"), "more than 1000000 objects");
-  check_refused(doubled(box(), "union", {sdl::Word{"translate"}, vector(1, 0, 0)}), "transforms once every");
+  check_refused(doubled(box(), "union", {sdl::Word{"translate"}, vector(1, 0, 0)}),
+                "transforms once every");
 }
 
 TEST_CASE("shared planes doubled forty times") {
-  check_refused(doubled(block("plane", {vector(1, 0, 0), 1.0}), "intersection"), "more than 10000 faces");
+  check_refused(doubled(block("plane", {vector(1, 0, 0), 1.0}), "intersection"),
+                "more than 10000 faces");
 }
 
 TEST_CASE("unions of nothing doubled forty times") {
@@ -76,10 +80,15 @@ TEST_CASE("interiors, spectra and transforms doubled forty times") {
     return block("box", {vector(0, 0, 0), vector(1, 1, 1), interior(), b});
   };
   check_refused(inside_box(doubled(interior(), "interior")), "too large");
-  check_refused(inside_box(doubled(block("transform", {sdl::Word{"rotate"}, vector(1, 0, 0)}), "transform")), "");
-  check_refused(block("background", {doubled(block("spectrum", {sdl::Word{"d65"}}), "spectrum")}), "too large");
-  check_refused(block("surroundings", {block("interior", {doubled(block("index", {sdl::Word{"constant"}, 1.5}),
-                                                                  "index")})}), "too large");
+  check_refused(
+      inside_box(doubled(block("transform", {sdl::Word{"rotate"}, vector(1, 0, 0)}), "transform")),
+      "");
+  check_refused(block("background", {doubled(block("spectrum", {sdl::Word{"d65"}}), "spectrum")}),
+                "too large");
+  check_refused(
+      block("surroundings",
+            {block("interior", {doubled(block("index", {sdl::Word{"constant"}, 1.5}), "index")})}),
+      "too large");
 }
 
 TEST_CASE("blocks nested deeper than a stack") {
@@ -102,8 +111,9 @@ TEST_CASE("thousands of faults are cut short") {
 TEST_CASE("numbers that are none") {
   check_refused(block("box", {vector(0, 0, 0), vector(1, HUGE_VAL, 1), interior()}), "not finite");
   check_refused(block("camera", {sdl::Word{"angle"}, std::nan("")}), "not finite");
-  check_refused(block("box", {vector(0, 0, 0), vector(1, 1, 1), sdl::Word{"scale"}, 1e-300, sdl::Word{"scale"}, 1e-300,
-                              interior()}), "");
+  check_refused(block("box", {vector(0, 0, 0), vector(1, 1, 1), sdl::Word{"scale"}, 1e-300,
+                              sdl::Word{"scale"}, 1e-300, interior()}),
+                "");
 }
 
 }  // namespace nicol

@@ -14,16 +14,16 @@ std::array<double, 3> xyz(const Scene& scene, const Samples& radiance) {
 
 Polarizer polygon_polarizer(const std::string& inside, const std::string& modifiers = "") {
   const Bound b = bind_clean("background { rgb 1 }" + eye +
-                             "polygon { 5, 0, 2*x, 2*x+z, z, 0 luminous { polarizer { " + inside + " } } " +
-                             modifiers + "}");
+                             "polygon { 5, 0, 2*x, 2*x+z, z, 0 luminous { polarizer { " + inside +
+                             " } } " + modifiers + "}");
   return b.scene.polarizers.at(*b.scene.emissions.at(0).polarizer);
 }
 
 }  // namespace
 
 TEST_CASE("spectra of scale 1 have Y = 1") {
-  for (const char* spectrum : {"d65", "D65", "a", "e", "equal_energy", "blackbody 3000", "line 580", "rgb 1",
-                               "table { 300, 1, 900, 2 }", "table 300, 1, 900, 2"}) {
+  for (const char* spectrum : {"d65", "D65", "a", "e", "equal_energy", "blackbody 3000", "line 580",
+                               "rgb 1", "table { 300, 1, 900, 2 }", "table 300, 1, 900, 2"}) {
     const Bound b = bind_clean(eye + "background { spectrum { " + spectrum + " } }");
     INFO(spectrum);
     CHECK(xyz(b.scene, b.scene.sky)[1] == doctest::Approx(1).epsilon(1e-6));
@@ -31,7 +31,8 @@ TEST_CASE("spectra of scale 1 have Y = 1") {
 }
 
 TEST_CASE("a declared spectrum is scaled where it is used") {
-  const Bound b = bind_clean(eye + "#declare S = spectrum { d65 scale 2 } background { spectrum { S scale 0.4 } }");
+  const Bound b = bind_clean(
+      eye + "#declare S = spectrum { d65 scale 2 } background { spectrum { S scale 0.4 } }");
   CHECK(xyz(b.scene, b.scene.sky)[1] == doctest::Approx(0.8));
 }
 
@@ -47,7 +48,9 @@ TEST_CASE("sky: background, sky_sphere, nothing") {
 }
 
 TEST_CASE("a luminous sheet is D65 unless said") {
-  const Bound b = bind_clean(eye + "disc { 0, y, 1 luminous { one_sided } } disc { y, y, 1 luminous { spectrum { d65 } } }");
+  const Bound b = bind_clean(
+      eye +
+      "disc { 0, y, 1 luminous { one_sided } } disc { y, y, 1 luminous { spectrum { d65 } } }");
   REQUIRE(b.scene.emissions.size() == 2);
   CHECK(b.scene.emissions[0].radiance == b.scene.emissions[1].radiance);
   CHECK(b.scene.emissions[0].one_sided);
@@ -61,8 +64,11 @@ TEST_CASE("polygon: the angle runs from the first edge towards the last corner")
   check_near(polygon_polarizer("ideal angle 0", "rotate 90*z").transmission_axis, {0, 1, 0});
 }
 
-TEST_CASE("disc: the angle runs from the shape's x, counter-clockwise seen from where the normal points") {
-  const Bound b = bind_clean("background { rgb 1 }" + eye + "disc { 0, y, 1 polarizer { ideal angle 90 } }"
+TEST_CASE(
+    "disc: the angle runs from the shape's x, counter-clockwise seen from where the normal "
+    "points") {
+  const Bound b = bind_clean("background { rgb 1 }" + eye +
+                             "disc { 0, y, 1 polarizer { ideal angle 90 } }"
                              "disc { 0, x, 1 polarizer { ideal angle 0 } translate 3*x }");
   check_near(b.scene.polarizers.at(0).normal, {0, 1, 0});
   check_near(b.scene.polarizers[0].transmission_axis, {0, 0, -1});
@@ -77,7 +83,8 @@ TEST_CASE("axis names the direction that passes, and turns with its sheet") {
 
 TEST_CASE("kinds of polarizers") {
   CHECK(polygon_polarizer("angle 0").kind == Polarizer::Kind::ideal);
-  CHECK(polygon_polarizer("ideal angle 0 projection absorption").kind == Polarizer::Kind::ideal_absorbing);
+  CHECK(polygon_polarizer("ideal angle 0 projection absorption").kind ==
+        Polarizer::Kind::ideal_absorbing);
   const Polarizer calcite = polygon_polarizer("calcite angle 0");
   CHECK(calcite.kind == Polarizer::Kind::calcite);
   CHECK(calcite.n_o.at(10) == doctest::Approx(1.6584).epsilon(1e-3));  // Ghosh 1999 near 589 nm
@@ -86,7 +93,8 @@ TEST_CASE("kinds of polarizers") {
 }
 
 TEST_CASE("a declared polarizer can be turned where it is used") {
-  const Bound b = bind_clean("background { rgb 1 }" + eye + "#declare P = polarizer { calcite angle 0 }"
+  const Bound b = bind_clean("background { rgb 1 }" + eye +
+                             "#declare P = polarizer { calcite angle 0 }"
                              "disc { 0, y, 1 polarizer { P angle 90 } }");
   CHECK(b.scene.polarizers.at(0).kind == Polarizer::Kind::calcite);
   check_near(b.scene.polarizers[0].transmission_axis, {0, 0, -1});

@@ -5,7 +5,9 @@ namespace nicol {
 
 namespace {
 
-const std::string thing = lit + "disc { 0, y, 1 luminous { } } box { 1, 2 interior { ior 1.5 rotation { constant 20 } } }\n";
+const std::string thing =
+    lit +
+    "disc { 0, y, 1 luminous { } } box { 1, 2 interior { ior 1.5 rotation { constant 20 } } }\n";
 
 Expectation expectation(const std::string& inside, const std::string& before = thing) {
   const Bound b = bind_clean(before + "expect { " + inside + " source \"test\" }");
@@ -27,8 +29,12 @@ TEST_CASE("settings: POV-Ray's defaults and nicol's") {
 }
 
 TEST_CASE("settings: all words, wherever they stand") {
-  const Scene s = bind_clean(thing + "global_settings { assumed_gamma 1 mm_per_unit 2 max_trace_level 12 adc_bailout 1e-4"
-                                     " samples 9 exposure 3 polarization off wavelengths { from 400 to 700 step 100 } }").scene;
+  const Scene s =
+      bind_clean(
+          thing +
+          "global_settings { assumed_gamma 1 mm_per_unit 2 max_trace_level 12 adc_bailout 1e-4"
+          " samples 9 exposure 3 polarization off wavelengths { from 400 to 700 step 100 } }")
+          .scene;
   CHECK(s.settings.mm_per_unit == 2);
   CHECK(s.settings.max_trace_level == 12);
   CHECK(s.settings.adc_bailout == 1e-4);
@@ -42,7 +48,8 @@ TEST_CASE("settings: all words, wherever they stand") {
 TEST_CASE("settings: lists of wavelengths are sorted, fractions of steps are not lost") {
   CHECK(bind_clean("global_settings { wavelengths { 587.6, 486.1 } }" + thing).scene.lambda_nm ==
         std::vector<double>{486.1, 587.6});
-  CHECK(bind_clean("global_settings { wavelengths { from 400 to 401 step 0.1 } }" + thing).scene.lambda_nm.size() == 11);
+  CHECK(bind_clean("global_settings { wavelengths { from 400 to 401 step 0.1 } }" + thing)
+            .scene.lambda_nm.size() == 11);
 }
 
 TEST_CASE("settings: the command line has the last word") {
@@ -52,7 +59,8 @@ TEST_CASE("settings: the command line has the last word") {
   wanted.samples = 4;
   wanted.polarization = false;
   wanted.path = "a.pov";
-  const Scene s = bind_clean("global_settings { max_trace_level 9 wavelengths { 580 } }" + thing, wanted).scene;
+  const Scene s =
+      bind_clean("global_settings { max_trace_level 9 wavelengths { 580 } }" + thing, wanted).scene;
   CHECK(s.lambda_nm == std::vector<double>{500, 600});
   CHECK(s.settings.max_trace_level == 3);
   CHECK(s.settings.samples == 4);
@@ -61,7 +69,9 @@ TEST_CASE("settings: the command line has the last word") {
 }
 
 TEST_CASE("settings: POV-Ray's other words are accepted with one note") {
-  const Bound b = bind_text("global_settings { ambient_light rgb 1 number_of_waves 3 radiosity { } assumed_gamma srgb }" + thing);
+  const Bound b = bind_text(
+      "global_settings { ambient_light rgb 1 number_of_waves 3 radiosity { } assumed_gamma srgb }" +
+      thing);
   CHECK(b.parsed->diagnostics.all().size() == 1);
   CHECK(b.count(sdl::Severity::note) == 1);
 }
@@ -77,7 +87,8 @@ TEST_CASE("expect: every quantity") {
   CHECK(e.tolerance == 1e-4);
   CHECK_FALSE(e.relative);
   CHECK(e.source == "test");
-  CHECK(expectation("stokes 580, <1, 0.5, 0, -0.1> within 1e-3").value == std::vector<double>{1, 0.5, 0, -0.1});
+  CHECK(expectation("stokes 580, <1, 0.5, 0, -0.1> within 1e-3").value ==
+        std::vector<double>{1, 0.5, 0, -0.1});
   CHECK(expectation("xyz <0.9, 1, 1.1> within 0.1").quantity == Quantity::xyz);
   CHECK(expectation("rgb <0.9, 1, 1.1> within 0.1").value == std::vector<double>{0.9, 1, 1.1});
   CHECK(expectation("chromaticity <0.31, 0.33> within 0.01").value.size() == 2);
@@ -95,8 +106,10 @@ TEST_CASE("expect: percent and relative") {
 }
 
 TEST_CASE("expect: made by loops and macros") {
-  const Bound b = bind_clean(thing + "#macro E(L) expect { relative_radiance L, 1/L within 1e-4 source \"m\" } #end"
-                                     "\n#for (I, 400, 500, 20) E(I) #end");
+  const Bound b =
+      bind_clean(thing +
+                 "#macro E(L) expect { relative_radiance L, 1/L within 1e-4 source \"m\" } #end"
+                 "\n#for (I, 400, 500, 20) E(I) #end");
   REQUIRE(b.scene.expectations.size() == 6);
   CHECK(b.scene.expectations[5].lambda_nm == 500);
   CHECK(b.scene.expectations[5].value[0] == 1.0 / 500);

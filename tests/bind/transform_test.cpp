@@ -88,14 +88,16 @@ TEST_CASE("the world is right-handed and in millimetres") {
 }
 
 TEST_CASE("transform { inverse } and declared transforms") {
-  const Bound b = bind_clean(lit + "#declare T = transform { rotate 90*z translate x }"
-                                   "box { 0, 1 transform { T inverse } interior { ior 1.5 } }");
+  const Bound b = bind_clean(lit +
+                             "#declare T = transform { rotate 90*z translate x }"
+                             "box { 0, 1 transform { T inverse } interior { ior 1.5 } }");
   const Affines& list = b.scene.objects.at(0).transforms;
   check_near(transform_point(list, {1, 1, 0}), Vec3{1, 0, 0} * 10, 1e-12);
 }
 
 TEST_CASE("matrix is row vectors with the translation last") {
-  const Bound b = bind_clean(lit + "box { 0, 1 matrix <0,1,0, -1,0,0, 0,0,1, 5,6,7> interior { ior 1.5 } }");
+  const Bound b =
+      bind_clean(lit + "box { 0, 1 matrix <0,1,0, -1,0,0, 0,0,1, 5,6,7> interior { ior 1.5 } }");
   check_near(transform_point(b.scene.objects.at(0).transforms, {1, 0, 0}), Vec3{5, 7, -7} * 10);
 }
 
