@@ -7,8 +7,8 @@
 global_settings { mm_per_unit Mm_Per_Unit max_trace_level 30 adc_bailout 1e-7 exposure 2 wavelengths { 580 } }
 
 // The middle of the picture: on the upper face, nearer to the side x = 8 mm than to z = 8 mm.
-#declare Corner_Target = <7.5*mm, Centre.y + Edge/2, 6.5*mm>;
-Founding_Camera(Corner_Target, 3)
+#declare Corner_Target = <6.3*mm, Centre.y + Edge/2, 5.6*mm>;
+Founding_Camera(Corner_Target, 9)
 
 // Snell turns the ray towards the normal of the upper face; it ends on the side x = 8 mm.
 #declare Ray = vnormalize(Corner_Target - Eye);

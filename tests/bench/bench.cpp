@@ -1,0 +1,194 @@
+// Speed, as ratios from one run: lanes against scalar against native C++, what each feature costs, what tiling
+// and kernel builds cost. Every variant runs in turn, several rounds; medians of CPU time per lane-segment.
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <string>
+
+#include "host/app/loaded_scene.hpp"
+#include "host/pack.hpp"
+#include "kernels/abi.h"
+#include "tests/bench/native.hpp"
+
+namespace nicol::bench {
+namespace {
+
+using app::LoadedScene;
+
+struct Settings {
+  std::string scene = NICOL_SOURCE_DIR "/scenes/founding/fig5_active.pov";
+  int size = 256;
+  int rounds = 7;
+};
+
+double clock_seconds(clockid_t clock) {
+  timespec t{};
+  clock_gettime(clock, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0 : values[values.size() / 2];
+}
+
+// One way to render the scene: returns the lane-segments traced.
+struct Variant {
+  std::string name;
+  std::function<double()> run;
+  std::vector<double> cpu_ns, wall_s;   // CPU ns per segment, wall seconds, per round
+  double segments = 0;
+};
+
+// In turn, so that the machine's moods fall on all alike. The first round warms up.
+void run_in_turn(std::vector<Variant>& variants, int rounds) {
+  for (int round = 0; round <= rounds; ++round) {
+    for (Variant& v : variants) {
+      const double wall = clock_seconds(CLOCK_MONOTONIC), cpu = clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
+      v.segments = v.run();
+      const double cpu_s = clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+      if (round == 0) continue;
+      v.wall_s.push_back(clock_seconds(CLOCK_MONOTONIC) - wall);
+      v.cpu_ns.push_back(cpu_s * 1e9 / v.segments);
+    }
+  }
+}
+
+// Ratio to another variant, round by round, so that slow and fast minutes cancel.
+double ratio(const Variant& a, const Variant& b) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < a.cpu_ns.size(); ++i) ratios.push_back(a.cpu_ns[i] / b.cpu_ns[i]);
+  return median(ratios);
+}
+
+std::uint64_t segments_on_device(Device& device, const LoadedScene& loaded, std::uint32_t features, const Settings& settings,
+                                 RenderOptions options) {
+  const PackedScene packed = pack(loaded.scene, loaded.geometry, features, settings.size, settings.size,
+                                  lanes_on(device, options.kernel));
+  RenderReport report;
+  render(device, packed, loaded.scene.lambda_nm, loaded.scene.weight_nm, options, report);
+  return report.segments;
+}
+
+Variant device_variant(std::string name, Device& device, const LoadedScene& loaded, std::uint32_t features,
+                       const Settings& settings, RenderOptions options) {
+  return {std::move(name),
+          [&device, &loaded, features, &settings, options] {
+            return static_cast<double>(segments_on_device(device, loaded, features, settings, options));
+          },
+          {}, {}, 0};
+}
+
+void bench_lanes(Device& device, const LoadedScene& loaded, const Settings& settings) {
+  const std::uint32_t mask = loaded.features.mask;
+  RenderOptions lanes, scalar, generic, fp64;
+  scalar.kernel.lanes = 1;
+  generic.kernel.generic = true;
+  std::vector<Variant> variants;
+  variants.push_back(device_variant("OpenCL, lanes", device, loaded, mask, settings, lanes));
+  variants.push_back(device_variant("OpenCL, one lane", device, loaded, mask, settings, scalar));
+  variants.push_back(device_variant("OpenCL, lanes, generic build", device, loaded, mask, settings, generic));
+  if (info(device).has_fp64) {
+    fp64.kernel.real_double = true;
+    variants.push_back(device_variant("OpenCL, lanes, double", device, loaded, mask, settings, fp64));
+  }
+  if (mask == NICOL_BENCH_FEATURES) {
+    const auto native = [&](int count, NativeResult (*run)(const PackedScene&)) {
+      return [&loaded, &settings, count, run] {
+        return static_cast<double>(
+            run(pack(loaded.scene, loaded.geometry, loaded.features.mask, settings.size, settings.size, count)).segments);
+      };
+    };
+    variants.push_back({"native C++, lanes", native(native_lanes, render_native_lanes), {}, {}, 0});
+    variants.push_back({"native C++, one lane", native(1, render_native_scalar), {}, {}, 0});
+  } else {
+    fmt::print("(no native comparison: it is compiled for the features 0x{:x}, the scene has 0x{:x})\n", NICOL_BENCH_FEATURES, mask);
+  }
+  run_in_turn(variants, settings.rounds);
+  fmt::print("\n{:<32}{:>14}{:>16}{:>12}\n", "variant", "Msegments", "ns/seg (CPU)", "speed");
+  for (const Variant& v : variants)
+    fmt::print("{:<32}{:>14.2f}{:>16.2f}{:>11.2f}x\n", v.name, v.segments * 1e-6, median(v.cpu_ns), ratio(variants[0], v));
+  fmt::print("lanes / one lane: {:.2f}x", ratio(variants[1], variants[0]));
+  if (variants.size() >= 6) fmt::print("   of native lanes: {:.2f}", ratio(variants[4], variants[0]));
+  fmt::print("\n");
+}
+
+// Each feature that the scene does not call for, compiled in all the same.
+void bench_features(Device& device, const LoadedScene& loaded, const Settings& settings) {
+  const std::uint32_t mask = loaded.features.mask;
+  std::vector<Variant> variants;
+  variants.push_back(device_variant("(as called for)", device, loaded, mask, settings, {}));
+  std::uint32_t bit = 1;
+  for (const FeatureReason& row : loaded.features.rows) {
+    const bool layout = row.name == "lanes_over_pixels" || row.name == "orthographic";
+    if (!row.on && !layout) variants.push_back(device_variant("+ " + row.name, device, loaded, mask | bit, settings, {}));
+    bit <<= 1;
+  }
+  run_in_turn(variants, std::max(3, settings.rounds / 2));
+  fmt::print("\n{:<32}{:>16}{:>12}\n", "feature on though not needed", "ns/seg (CPU)", "cost");
+  for (const Variant& v : variants)
+    fmt::print("{:<32}{:>16.2f}{:>+11.1f}%\n", v.name, median(v.cpu_ns), 100 * (ratio(v, variants[0]) - 1));
+}
+
+void bench_tiles(Device& device, const LoadedScene& loaded, const Settings& settings) {
+  RenderOptions tiled, whole;
+  whole.tile_seconds = 1e6;
+  std::vector<Variant> variants;
+  variants.push_back(device_variant("one launch", device, loaded, loaded.features.mask, settings, whole));
+  variants.push_back(device_variant("tiles", device, loaded, loaded.features.mask, settings, tiled));
+  run_in_turn(variants, settings.rounds);
+  std::vector<double> wall;
+  for (std::size_t i = 0; i < variants[0].wall_s.size(); ++i) wall.push_back(variants[1].wall_s[i] / variants[0].wall_s[i]);
+  fmt::print("\ntiles against one launch: {:+.1f} % CPU, {:+.1f} % wall\n", 100 * (ratio(variants[1], variants[0]) - 1),
+             100 * (median(wall) - 1));
+}
+
+void bench_builds(const LoadedScene& loaded) {
+  KernelOptions cold;
+  cold.binary_cache = false;
+  const auto fresh = open_device("");
+  const double cold_s = prepare_kernel(*fresh, loaded.features.mask, cold).seconds;
+  prepare_kernel(*open_device(""), loaded.features.mask, {});
+  const auto again = open_device("");
+  const BuildReport warm = prepare_kernel(*again, loaded.features.mask, {});
+  fmt::print("kernel build: {:.2f} s from source (the driver may keep a cache of its own), {:.3f} s {}\n", cold_s,
+             warm.seconds, warm.cached ? "from the binary cache" : "(not cached)");
+}
+
+int run(const Settings& settings) {
+  app::SceneOptions options;
+  options.width = options.height = settings.size;
+  const auto loaded = app::load_scene(settings.scene, options);
+  if (!loaded) return 1;
+  const auto device = open_device("");
+  fmt::print("{}: {}x{}, {} wavelengths, features 0x{:x}, on {}\n", settings.scene, settings.size, settings.size,
+             loaded->scene.lambda_nm.size(), loaded->features.mask, info(*device).name);
+  bench_lanes(*device, *loaded, settings);
+  bench_features(*device, *loaded, settings);
+  bench_tiles(*device, *loaded, settings);
+  bench_builds(*loaded);
+  return 0;
+}
+
+}  // namespace
+}  // namespace nicol::bench
+
+// nicol_bench [--scene FILE] [--size PIXELS] [--rounds N]
+int main(int argc, char** argv) {
+  nicol::bench::Settings settings;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    if (!std::strcmp(argv[i], "--scene")) settings.scene = argv[i + 1];
+    if (!std::strcmp(argv[i], "--size")) settings.size = std::max(16, std::atoi(argv[i + 1]));
+    if (!std::strcmp(argv[i], "--rounds")) settings.rounds = std::max(1, std::atoi(argv[i + 1]));
+  }
+  try {
+    return nicol::bench::run(settings);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "nicol_bench: {}\n", error.what());
+    return 1;
+  }
+}
