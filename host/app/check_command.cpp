@@ -1,4 +1,5 @@
-// `nicol check`: everything that can be wrong with scenes, without rendering. `nicol words`: what they may say.
+// `nicol check`: everything that can be wrong with scenes, without rendering.
+// `nicol words`: what they may say.
 #include <fmt/format.h>
 
 #include <cstdio>

@@ -7,7 +7,9 @@
 namespace nicol::app {
 namespace {
 
-Vec3 plus(const Vec3& a, double s, const Vec3& b) { return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z}; }
+Vec3 plus(const Vec3& a, double s, const Vec3& b) {
+  return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
+}
 double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Vec3 unit(const Vec3& a) {
   const double s = 1 / std::sqrt(dot(a, a));
@@ -27,11 +29,14 @@ struct Span {
 Ray camera_ray(const Camera& camera, const std::array<double, 2>& place) {
   const double across = place[0] - 0.5, upward = 0.5 - place[1];
   if (camera.orthographic)
-    return {plus(plus(camera.location, across, camera.right), upward, camera.up), unit(camera.direction)};
-  return {camera.location, unit(plus(plus(camera.direction, across, camera.right), upward, camera.up))};
+    return {plus(plus(camera.location, across, camera.right), upward, camera.up),
+            unit(camera.direction)};
+  return {camera.location,
+          unit(plus(plus(camera.direction, across, camera.right), upward, camera.up))};
 }
 
-// Clips the ray to the planes of a convex cell (Kay & Kajiya 1986, section 2.1); empty: enter_mm >= leave_mm.
+// Clips the ray to the planes of a convex cell (Kay & Kajiya 1986, section 2.1); it misses the cell
+// where enter_mm >= leave_mm.
 Span clip(const Geometry& geometry, const Cell& cell, const Ray& ray) {
   Span span;
   const Vec3 from_mm = plus(ray.from_mm, -1, cell.centre_mm);
@@ -53,7 +58,7 @@ Span clip(const Geometry& geometry, const Cell& cell, const Ray& ray) {
   return span;
 }
 
-// Snell's law as vectors (Born & Wolf 1999, section 1.5.1); from the thinner into the denser medium or straight.
+// Snell's law as vectors (Born & Wolf 1999, section 1.5.1); nothing where it reflects totally.
 std::optional<Vec3> refract(const Vec3& direction, const Vec3& outward, double n1_over_n2) {
   const double cos_i = -dot(direction, outward);
   const double cos2_t = 1 - n1_over_n2 * n1_over_n2 * (1 - cos_i * cos_i);
@@ -64,8 +69,8 @@ std::optional<Vec3> refract(const Vec3& direction, const Vec3& outward, double n
 
 }  // namespace
 
-std::optional<Chord> first_chord(const Scene& scene, const Geometry& geometry, const std::array<double, 2>& place,
-                                 std::size_t lambda) {
+std::optional<Chord> first_chord(const Scene& scene, const Geometry& geometry,
+                                 const std::array<double, 2>& place, std::size_t lambda) {
   const Ray ray = camera_ray(scene.camera, place);
   int first = -1;
   Span nearest;
@@ -81,8 +86,10 @@ std::optional<Chord> first_chord(const Scene& scene, const Geometry& geometry, c
   }
   if (first < 0) return std::nullopt;
   const Cell& cell = geometry.cells[first];
-  const double n1_over_n2 = scene.media[around.medium].n[lambda] / scene.media[cell.medium].n[lambda];
-  const auto inside = refract(ray.direction, geometry.faces[nearest.enter_face].plane.normal, n1_over_n2);
+  const double n1_over_n2 =
+      scene.media[around.medium].n[lambda] / scene.media[cell.medium].n[lambda];
+  const auto inside =
+      refract(ray.direction, geometry.faces[nearest.enter_face].plane.normal, n1_over_n2);
   if (!inside) return std::nullopt;
   const Ray refracted{plus(ray.from_mm, nearest.enter_mm, ray.direction), *inside};
   return Chord{first, clip(geometry, cell, refracted).leave_mm};

@@ -1,4 +1,5 @@
-// The verbs of the command line, each with its options. Each answers the exit code: 0 done, 1 error, 2 interrupted.
+// The verbs of the command line, each with its options.
+// Each answers the exit code: 0 done, 1 error, 2 interrupted.
 #pragma once
 #include <optional>
 #include <stdexcept>
@@ -18,16 +19,16 @@ struct UsageError : std::runtime_error {
 struct SceneOptions {
   int width = 512, height = 512;
   std::vector<std::string> library_paths;
-  std::vector<std::string> declares;        // name=value
-  std::string wavelengths;                  // from:to:step in nm, or a list with commas; empty: the scene's
+  std::vector<std::string> declares;  // name=value
+  std::string wavelengths;  // from:to:step in nm, or a list with commas; empty: the scene's
   std::optional<int> samples;
   std::optional<int> max_trace_level;
   std::optional<double> adc_bailout;
-  std::string polarization;                 // on, off; empty: the scene's
+  std::string polarization;  // on, off; empty: the scene's
 };
 
 struct DeviceOptions {
-  std::string device;                       // index or part of the name; empty: the default
+  std::string device;  // index or part of the name; empty: the default
   std::string real = "float";
   int lanes = 0;
   bool generic = false;
@@ -36,11 +37,11 @@ struct DeviceOptions {
 
 struct RenderCommand {
   std::string scene;
-  std::vector<std::string> outputs;         // empty: the scene's name with .png, in the working directory
+  std::vector<std::string> outputs;  // empty: the scene's name with .png, in the working directory
   SceneOptions options;
   DeviceOptions device;
   bool quiet = false;
-  std::string command_line;                 // for the picture's header
+  std::string command_line;  // for the picture's header
 };
 
 struct ExplainCommand {
@@ -58,7 +59,7 @@ struct CheckCommand {
 struct ExpectCommand {
   std::vector<std::string> scenes;
   SceneOptions options;
-  DeviceOptions device;                     // real: float, double or both
+  DeviceOptions device;  // real: float, double or both
 };
 
 int render_command(const RenderCommand& command);

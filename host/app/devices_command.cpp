@@ -29,10 +29,12 @@ int devices_command() {
   for (const DeviceInfo& device : devices) {
     constexpr double bytes_per_gib = 1024.0 * 1024.0 * 1024.0;
     fmt::print("{} {}  {}\n", device.index == standard ? '*' : ' ', device.index, device.name);
-    fmt::print("     {}, {} units, {:.1f} GiB ({:.1f} in one piece), lanes {} float, {} double{}\n", kind(device),
-               device.compute_units, static_cast<double>(device.memory_bytes) / bytes_per_gib,
-               static_cast<double>(device.max_allocation_bytes) / bytes_per_gib, device.native_float_width,
-               device.native_double_width, device.has_fp64 ? "" : " (no double precision)");
+    fmt::print("     {}, {} units, {:.1f} GiB ({:.1f} in one piece), lanes {} float, {} double{}\n",
+               kind(device), device.compute_units,
+               static_cast<double>(device.memory_bytes) / bytes_per_gib,
+               static_cast<double>(device.max_allocation_bytes) / bytes_per_gib,
+               device.native_float_width, device.native_double_width,
+               device.has_fp64 ? "" : " (no double precision)");
     fmt::print("     {}, {}, driver {}\n", device.platform, device.version, device.driver);
   }
   fmt::print("* is used unless --device names another by its number or a part of its name\n");
@@ -40,7 +42,8 @@ int devices_command() {
 }
 
 int probe_command(const DeviceOptions& options) {
-  const std::string json{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  const std::string json{std::istreambuf_iterator<char>(std::cin),
+                         std::istreambuf_iterator<char>()};
   const auto device = open_wanted_device(options);
   fmt::print("{}\n", probe(*device, json, options.real == "double"));
   return exit_done;

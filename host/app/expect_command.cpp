@@ -10,18 +10,22 @@
 namespace nicol::app {
 namespace {
 
-std::string numbers(const std::vector<double>& values) { return fmt::format("{:.7g}", fmt::join(values, ", ")); }
+std::string numbers(const std::vector<double>& values) {
+  return fmt::format("{:.7g}", fmt::join(values, ", "));
+}
 
-void print_outcome(const LoadedScene& loaded, const Expectation& expectation, const Outcome& outcome) {
+void print_outcome(const LoadedScene& loaded, const Expectation& expectation,
+                   const Outcome& outcome) {
   std::string what = quantity_name(expectation.quantity);
   if (expectation.lambda_nm > 0) what += fmt::format(" at {:g} nm", expectation.lambda_nm);
   if (expectation.length_mm > 0) what += fmt::format(", {:g} mm", expectation.length_mm);
-  fmt::print("  {}  {}  {} in ({:g}, {:g})\n", outcome.pass ? "pass" : "FAIL", loaded.place(expectation.where), what,
-             expectation.at[0], expectation.at[1]);
+  fmt::print("  {}  {}  {} in ({:g}, {:g})\n", outcome.pass ? "pass" : "FAIL",
+             loaded.place(expectation.where), what, expectation.at[0], expectation.at[1]);
   fmt::print("        expected {} within {:g}{}", numbers(expectation.value), expectation.tolerance,
              expectation.relative ? " of it" : "");
   if (!outcome.value.empty()) fmt::print(", is {}", numbers(outcome.value));
-  if (!outcome.difference.empty()) fmt::print(", off by {:.3g}", fmt::join(outcome.difference, ", "));
+  if (!outcome.difference.empty())
+    fmt::print(", off by {:.3g}", fmt::join(outcome.difference, ", "));
   if (!outcome.reason.empty()) fmt::print(": {}", outcome.reason);
   fmt::print("\n");
   if (!expectation.source.empty()) fmt::print("        source: {}\n", expectation.source);
@@ -29,7 +33,8 @@ void print_outcome(const LoadedScene& loaded, const Expectation& expectation, co
 
 // Answers how many failed.
 int print_all(const LoadedScene& loaded, Device& device, const DeviceOptions& options) {
-  const std::vector<Outcome> outcomes = evaluate_expectations(loaded, device, kernel_options(options));
+  const std::vector<Outcome> outcomes =
+      evaluate_expectations(loaded, device, kernel_options(options));
   int failures = 0;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     print_outcome(loaded, loaded.scene.expectations[i], outcomes[i]);
@@ -45,8 +50,8 @@ int print_all(const LoadedScene& loaded, Device& device, const DeviceOptions& op
 
 int expect_command(const ExpectCommand& command) {
   const bool both = command.device.real == "both";
-  const std::vector<std::string> reals =
-      both ? std::vector<std::string>{"double", "float"} : std::vector<std::string>{command.device.real};
+  const std::vector<std::string> reals = both ? std::vector<std::string>{"double", "float"}
+                                              : std::vector<std::string>{command.device.real};
   int code = exit_done;
   for (const std::string& path : command.scenes) {
     const auto loaded = load_scene(path, command.options, Expectations::always);

@@ -25,25 +25,37 @@ struct Unmeasurable : std::runtime_error {
 class Bench {
  public:
   Bench(const LoadedScene& loaded, Device& device, const KernelOptions& kernel)
-      : scene_(loaded.scene), geometry_(loaded.geometry), features_(loaded.features.mask), device_(device),
+      : scene_(loaded.scene),
+        geometry_(loaded.geometry),
+        features_(loaded.features.mask),
+        device_(device),
         kernel_(kernel) {}
 
   std::vector<double> measure(const Expectation& expectation) {
     using Quantity = Expectation::Quantity;
     switch (expectation.quantity) {
-      case Quantity::relative_radiance: return {relative_stokes(expectation)[0]};
-      case Quantity::stokes: return relative_stokes(expectation);
-      case Quantity::xyz: return to_vector(pixel_xyz(expectation));
-      case Quantity::rgb: return pixel_rgb(expectation);
-      case Quantity::chromaticity: return chromaticity(expectation);
-      case Quantity::rotation_deg: return {chord_rotation_deg(expectation)};
-      case Quantity::malus_xyz: return malus_xyz(expectation);
+      case Quantity::relative_radiance:
+        return {relative_stokes(expectation)[0]};
+      case Quantity::stokes:
+        return relative_stokes(expectation);
+      case Quantity::xyz:
+        return to_vector(pixel_xyz(expectation));
+      case Quantity::rgb:
+        return pixel_rgb(expectation);
+      case Quantity::chromaticity:
+        return chromaticity(expectation);
+      case Quantity::rotation_deg:
+        return {chord_rotation_deg(expectation)};
+      case Quantity::malus_xyz:
+        return malus_xyz(expectation);
     }
     throw Unmeasurable("an unknown quantity");
   }
 
  private:
-  static std::vector<double> to_vector(const std::array<double, 3>& a) { return {a.begin(), a.end()}; }
+  static std::vector<double> to_vector(const std::array<double, 3>& a) {
+    return {a.begin(), a.end()};
+  }
 
   std::size_t lambda_index(double lambda_nm) const {
     constexpr double same_nm = 1e-6;
@@ -74,7 +86,8 @@ class Bench {
   std::vector<double> relative_stokes(const Expectation& expectation) {
     const std::size_t lambda = lambda_index(expectation.lambda_nm);
     const double whole = first_emission().radiance[lambda];
-    if (!(whole > 0)) throw Unmeasurable(fmt::format("the first light is dark at {:g} nm", expectation.lambda_nm));
+    if (!(whole > 0))
+      throw Unmeasurable(fmt::format("the first light is dark at {:g} nm", expectation.lambda_nm));
     const Frame& frame = frame_at(expectation.at);
     std::vector<double> stokes;
     for (int s = 0; s < 4; ++s) stokes.push_back(frame.component(s, lambda)[0] / whole);
@@ -83,7 +96,8 @@ class Bench {
 
   std::array<double, 3> pixel_xyz(const Expectation& expectation) {
     const Observer observer(scene_.lambda_nm, scene_.weight_nm);
-    return observer.xyz(frame_at(expectation.at).component(0, 0));  // one pixel: its wavelengths are neighbours
+    return observer.xyz(
+        frame_at(expectation.at).component(0, 0));  // one pixel: its wavelengths are neighbours
   }
 
   std::vector<double> pixel_rgb(const Expectation& expectation) {
@@ -106,8 +120,8 @@ class Bench {
     return rotation.empty() ? 0 : rotation[lambda] * chord->length_mm;
   }
 
-  // Crossed or parallel polars around an active plate pass cos^2 of its rotation (Malus 1809), wavelength by
-  // wavelength; here of the first light and the first medium that rotates.
+  // Crossed or parallel polars around an active plate pass cos^2 of its rotation (Malus 1809),
+  // wavelength by wavelength; here of the first light and the first medium that rotates.
   std::vector<double> malus_xyz(const Expectation& expectation) const {
     const auto rotates = [](const Medium& medium) {
       return std::any_of(medium.rotation_deg_per_mm.begin(), medium.rotation_deg_per_mm.end(),
@@ -117,7 +131,8 @@ class Bench {
     if (medium == scene_.media.end()) throw Unmeasurable("no medium of the scene rotates");
     std::vector<double> radiance = first_emission().radiance;
     for (std::size_t i = 0; i < radiance.size(); ++i) {
-      const double cosine = std::cos(medium->rotation_deg_per_mm[i] * expectation.length_mm * rad_per_deg);
+      const double cosine =
+          std::cos(medium->rotation_deg_per_mm[i] * expectation.length_mm * rad_per_deg);
       radiance[i] *= cosine * cosine;
     }
     return to_vector(Observer(scene_.lambda_nm, scene_.weight_nm).xyz(radiance.data()));
@@ -136,13 +151,20 @@ class Bench {
 const char* quantity_name(Expectation::Quantity quantity) {
   using Quantity = Expectation::Quantity;
   switch (quantity) {
-    case Quantity::relative_radiance: return "relative_radiance";
-    case Quantity::stokes: return "stokes";
-    case Quantity::xyz: return "xyz";
-    case Quantity::rgb: return "rgb";
-    case Quantity::chromaticity: return "chromaticity";
-    case Quantity::rotation_deg: return "rotation_deg";
-    case Quantity::malus_xyz: return "malus_xyz";
+    case Quantity::relative_radiance:
+      return "relative_radiance";
+    case Quantity::stokes:
+      return "stokes";
+    case Quantity::xyz:
+      return "xyz";
+    case Quantity::rgb:
+      return "rgb";
+    case Quantity::chromaticity:
+      return "chromaticity";
+    case Quantity::rotation_deg:
+      return "rotation_deg";
+    case Quantity::malus_xyz:
+      return "malus_xyz";
   }
   return "";
 }
@@ -151,20 +173,23 @@ Outcome compare(const Expectation& expectation, std::vector<double> value) {
   Outcome outcome;
   outcome.value = std::move(value);
   if (outcome.value.size() != expectation.value.size()) {
-    outcome.reason = fmt::format("{} numbers expected, {} measured", expectation.value.size(), outcome.value.size());
+    outcome.reason = fmt::format("{} numbers expected, {} measured", expectation.value.size(),
+                                 outcome.value.size());
     return outcome;
   }
   outcome.pass = true;
   for (std::size_t i = 0; i < outcome.value.size(); ++i) {
     const double expected = expectation.value[i];
-    const double allowed = expectation.relative ? expectation.tolerance * std::fabs(expected) : expectation.tolerance;
+    const double allowed =
+        expectation.relative ? expectation.tolerance * std::fabs(expected) : expectation.tolerance;
     outcome.difference.push_back(outcome.value[i] - expected);
     if (!(std::fabs(outcome.difference[i]) <= allowed)) outcome.pass = false;
   }
   return outcome;
 }
 
-std::vector<Outcome> evaluate_expectations(const LoadedScene& loaded, Device& device, const KernelOptions& kernel) {
+std::vector<Outcome> evaluate_expectations(const LoadedScene& loaded, Device& device,
+                                           const KernelOptions& kernel) {
   Bench bench(loaded, device, kernel);
   std::vector<Outcome> outcomes;
   for (const Expectation& expectation : loaded.scene.expectations) {

@@ -19,8 +19,9 @@ const char* quantity_name(Expectation::Quantity quantity);
 // Compares value by value against the expectation's tolerance. NaN never passes.
 Outcome compare(const Expectation& expectation, std::vector<double> value);
 
-// One outcome for each of the scene's expectations. Places are rendered as pictures of one pixel whose only
-// sample lies exactly there.
-std::vector<Outcome> evaluate_expectations(const LoadedScene& loaded, Device& device, const KernelOptions& kernel);
+// One outcome for each of the scene's expectations. Places are rendered as pictures of one pixel
+// whose only sample lies exactly there.
+std::vector<Outcome> evaluate_expectations(const LoadedScene& loaded, Device& device,
+                                           const KernelOptions& kernel);
 
 }  // namespace nicol::app

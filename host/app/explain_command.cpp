@@ -1,4 +1,5 @@
-// `nicol explain`: which effects a scene calls for and why, what was left out, what the kernel cost to build.
+// `nicol explain`: which effects a scene calls for and why, what was left out, what the kernel cost
+// to build.
 #include <fmt/format.h>
 
 #include "host/app/commands.hpp"
@@ -11,14 +12,17 @@ void print_features(const Features& features, bool on) {
   std::size_t name_width = 0;
   for (const FeatureReason& row : features.rows) name_width = std::max(name_width, row.name.size());
   for (const FeatureReason& row : features.rows)
-    if (row.on == on) fmt::print("  {:<{}}  {}\n  {:<{}}    {}\n", row.name, name_width, row.meaning, "", name_width, row.reason);
+    if (row.on == on)
+      fmt::print("  {:<{}}  {}\n  {:<{}}    {}\n", row.name, name_width, row.meaning, "",
+                 name_width, row.reason);
 }
 
 void print_geometry(const LoadedScene& loaded) {
   const Scene& scene = loaded.scene;
   const Geometry& geometry = loaded.geometry;
-  fmt::print("{}: {} objects, {} cells, {} faces, {} contacts, {} sheets\n", scene.path, scene.objects.size(),
-             geometry.cells.size(), geometry.faces.size(), geometry.patches.size(), geometry.sheets.size());
+  fmt::print("{}: {} objects, {} cells, {} faces, {} contacts, {} sheets\n", scene.path,
+             scene.objects.size(), geometry.cells.size(), geometry.faces.size(),
+             geometry.patches.size(), geometry.sheets.size());
   fmt::print("{} wavelengths, {:g} to {:g} nm\n", scene.lambda_nm.size(), scene.lambda_nm.front(),
              scene.lambda_nm.back());
 }

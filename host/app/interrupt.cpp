@@ -1,9 +1,10 @@
 // See interrupt.hpp. The handler calls only what POSIX lists as safe in a signal handler.
 #include "host/app/interrupt.hpp"
 
+#include <unistd.h>
+
 #include <csignal>
 #include <cstring>
-#include <unistd.h>
 
 #include "host/app/commands.hpp"
 #include "host/output/atomic_file.hpp"
@@ -21,7 +22,9 @@ void tell(const char* message) {
 
 extern "C" void on_interrupt(int) {
   if (something_to_save && !interrupted.exchange(true)) {
-    tell("\nnicol: interrupted; the tiles in flight are finished and saved (once more quits at once)\n");
+    tell(
+        "\nnicol: interrupted; the tiles in flight are finished and saved (once more quits at "
+        "once)\n");
     return;
   }
   remove_unfinished_files();
@@ -40,7 +43,8 @@ void catch_interrupts() {
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes shall be an error of writing, told like any other
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a limit on file sizes shall be an error of writing, told like any other
 }
 
 const std::atomic<bool>& finish_first() {

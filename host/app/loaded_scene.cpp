@@ -33,7 +33,8 @@ std::vector<double> split_numbers(const std::string& text, char separator) {
   }
 }
 
-// nicol's own include files, beside the program or where it was built, and POV-Ray's where it is installed.
+// nicol's own include files, beside the program or where it was built, and POV-Ray's where it is
+// installed.
 std::vector<std::string> standard_libraries() {
   namespace fs = std::filesystem;
   std::error_code failed;
@@ -52,12 +53,14 @@ std::vector<std::string> standard_libraries() {
 sdl::Options parse_options(const SceneOptions& options) {
   sdl::Options result;
   result.library_paths = options.library_paths;
-  for (std::string& folder : standard_libraries()) result.library_paths.push_back(std::move(folder));
+  for (std::string& folder : standard_libraries())
+    result.library_paths.push_back(std::move(folder));
   for (const std::string& declare : options.declares) {
     const std::size_t equals = declare.find('=');
     if (equals == 0 || equals == std::string::npos)
       throw UsageError(fmt::format("--declare takes name=value, not '{}'", declare));
-    result.declares[declare.substr(0, equals)] = parse_number(std::string_view(declare).substr(equals + 1), declare);
+    result.declares[declare.substr(0, equals)] =
+        parse_number(std::string_view(declare).substr(equals + 1), declare);
   }
   result.image_width = options.width;
   result.image_height = options.height;
@@ -78,7 +81,9 @@ BindOptions bind_options(const std::string& path, const SceneOptions& options) {
 }
 
 void drop_expectations(sdl::Document& document) {
-  const auto expects = [](const sdl::Item& item) { return item.block() && item.block()->name == "expect"; };
+  const auto expects = [](const sdl::Item& item) {
+    return item.block() && item.block()->name == "expect";
+  };
   auto& items = document.items;
   items.erase(std::remove_if(items.begin(), items.end(), expects), items.end());
 }
@@ -96,9 +101,12 @@ std::vector<double> parse_wavelengths(const std::string& text) {
   const std::vector<double> range = split_numbers(text, ':');
   constexpr double most = 10000;
   if (range.size() != 3 || !(range[2] > 0) || !(range[1] >= range[0]))
-    throw UsageError(fmt::format("--wavelengths takes from:to:step in nm (400:700:10) or a list, not '{}'", text));
-  const double steps = std::floor((range[1] - range[0]) / range[2] + 1e-9);  // 1e-9: 0.1 is no binary number
-  if (steps >= most) throw UsageError(fmt::format("--wavelengths {}: more than {} wavelengths", text, most));
+    throw UsageError(fmt::format(
+        "--wavelengths takes from:to:step in nm (400:700:10) or a list, not '{}'", text));
+  const double steps =
+      std::floor((range[1] - range[0]) / range[2] + 1e-9);  // 1e-9: 0.1 is no binary number
+  if (steps >= most)
+    throw UsageError(fmt::format("--wavelengths {}: more than {} wavelengths", text, most));
   std::vector<double> lambda_nm;
   for (int i = 0; i <= static_cast<int>(steps); ++i) lambda_nm.push_back(range[0] + i * range[2]);
   return lambda_nm;
@@ -138,7 +146,8 @@ KernelOptions kernel_options(const DeviceOptions& options) {
 std::shared_ptr<Device> open_wanted_device(const DeviceOptions& options) {
   std::shared_ptr<Device> device = open_device(options.device);
   if (options.real == "double" && !info(*device).has_fp64)
-    throw UsageError(fmt::format("{} has no double precision; use --real float", info(*device).name));
+    throw UsageError(
+        fmt::format("{} has no double precision; use --real float", info(*device).name));
   return device;
 }
 

@@ -13,17 +13,19 @@
 namespace nicol::app {
 
 struct LoadedScene {
-  sdl::Result parsed;       // holds the sources that Locations point into
+  sdl::Result parsed;  // holds the sources that Locations point into
   Scene scene;
   Geometry geometry;
   Features features;
   std::string place(const Location& where) const;  // "scene.pov:12"
 };
 
-// Where the command line brings wavelengths of its own, a scene's expectations at others are not at issue.
+// Where the command line brings wavelengths of its own, a scene's expectations at others are not at
+// issue.
 enum class Expectations { where_they_apply, always };
 
-// Warnings and errors go to standard error; null if there was an error. UsageError for wrong options.
+// Warnings and errors go to standard error; null if there was an error. UsageError for wrong
+// options.
 std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options,
                                         Expectations expectations = Expectations::where_they_apply);
 

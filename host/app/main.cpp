@@ -1,7 +1,7 @@
 // The program: reads the command line and hands over to the verb.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -19,41 +19,58 @@ using namespace nicol::app;
 
 void add_scene_options(CLI::App& verb, SceneOptions& options) {
   verb.add_option("-W,--width", options.width, "Width of the picture in pixels")
-      ->check(CLI::Range(1, 65536))->capture_default_str();
+      ->check(CLI::Range(1, 65536))
+      ->capture_default_str();
   verb.add_option("-H,--height", options.height, "Height of the picture in pixels")
-      ->check(CLI::Range(1, 65536))->capture_default_str();
-  verb.add_option("-L,--library", options.library_paths, "Folder to look for include files in; may be repeated")
+      ->check(CLI::Range(1, 65536))
+      ->capture_default_str();
+  verb.add_option("-L,--library", options.library_paths,
+                  "Folder to look for include files in; may be repeated")
       ->allow_extra_args(false);
-  verb.add_option("-D,--declare", options.declares, "name=value: a number declared before the scene is read")
+  verb.add_option("-D,--declare", options.declares,
+                  "name=value: a number declared before the scene is read")
       ->allow_extra_args(false);
-  verb.add_option("--wavelengths", options.wavelengths, "from:to:step or a list, in nm, instead of the scene's");
-  verb.add_option("--max-trace-level", options.max_trace_level, "Interfaces along a path, instead of the scene's")
+  verb.add_option("--wavelengths", options.wavelengths,
+                  "from:to:step or a list, in nm, instead of the scene's");
+  verb.add_option("--max-trace-level", options.max_trace_level,
+                  "Interfaces along a path, instead of the scene's")
       ->check(CLI::Range(1, 256));
-  verb.add_option("--adc-bailout", options.adc_bailout, "Weight at which a path is cut off, instead of the scene's")
+  verb.add_option("--adc-bailout", options.adc_bailout,
+                  "Weight at which a path is cut off, instead of the scene's")
       ->check(CLI::Range(0.0, 1.0));
   verb.add_option("--polarization", options.polarization, "on or off, instead of the scene's")
       ->check(CLI::IsMember({"on", "off"}));
 }
 
-void add_device_options(CLI::App& verb, DeviceOptions& options, const std::vector<std::string>& reals) {
-  verb.add_option("--device", options.device, "OpenCL device: its number or a part of its name (see `nicol devices`)");
-  verb.add_option("--real", options.real, "Precision of the kernel")->check(CLI::IsMember(reals))->capture_default_str();
-  verb.add_option("--lanes", options.lanes, "Lanes of the kernel: 1, 4, 8, 16 (default: what suits the device)")
+void add_device_options(CLI::App& verb, DeviceOptions& options,
+                        const std::vector<std::string>& reals) {
+  verb.add_option("--device", options.device,
+                  "OpenCL device: its number or a part of its name (see `nicol devices`)");
+  verb.add_option("--real", options.real, "Precision of the kernel")
+      ->check(CLI::IsMember(reals))
+      ->capture_default_str();
+  verb.add_option("--lanes", options.lanes,
+                  "Lanes of the kernel: 1, 4, 8, 16 (default: what suits the device)")
       ->check(CLI::IsMember({1, 4, 8, 16}));
-  verb.add_flag("--generic", options.generic, "One kernel for all scenes instead of one for this scene's effects");
+  verb.add_flag("--generic", options.generic,
+                "One kernel for all scenes instead of one for this scene's effects");
   verb.add_flag("--no-cache", options.no_cache, "Build the kernel anew");
 }
 
 using Verb = std::function<int()>;
 
 void add_render(CLI::App& app, RenderCommand& command, Verb& chosen) {
-  CLI::App* verb = app.add_subcommand("render", "Render a scene to pictures: .exr (spectral Stokes) and .png");
-  verb->footer("POV-Ray's switches work too: +Iscene.pov +Oout.png +W640 +H480 +Lfolder Declare=name=value");
+  CLI::App* verb =
+      app.add_subcommand("render", "Render a scene to pictures: .exr (spectral Stokes) and .png");
+  verb->footer(
+      "POV-Ray's switches work too: +Iscene.pov +Oout.png +W640 +H480 +Lfolder Declare=name=value");
   verb->add_option("scene,-i,--input", command.scene, "The scene")->required();
-  verb->add_option("-o,--output", command.outputs, "Picture to write (.exr or .png); may be repeated")
+  verb->add_option("-o,--output", command.outputs,
+                   "Picture to write (.exr or .png); may be repeated")
       ->allow_extra_args(false);
   add_scene_options(*verb, command.options);
-  verb->add_option("--samples", command.options.samples, "Samples per pixel, instead of the scene's")
+  verb->add_option("--samples", command.options.samples,
+                   "Samples per pixel, instead of the scene's")
       ->check(CLI::Range(1, 65536));
   add_device_options(*verb, command.device, {"float", "double"});
   verb->add_flag("-q,--quiet", command.quiet, "Tell only what went wrong");
@@ -70,14 +87,16 @@ void add_explain(CLI::App& app, ExplainCommand& command, Verb& chosen) {
 }
 
 void add_check(CLI::App& app, CheckCommand& command, Verb& chosen) {
-  CLI::App* verb = app.add_subcommand("check", "Read scenes and build their solids: all errors at once");
+  CLI::App* verb =
+      app.add_subcommand("check", "Read scenes and build their solids: all errors at once");
   verb->add_option("scenes", command.scenes, "The scenes")->required();
   add_scene_options(*verb, command.options);
   verb->callback([&] { chosen = [&] { return check_command(command); }; });
 }
 
 void add_expect(CLI::App& app, ExpectCommand& command, Verb& chosen) {
-  CLI::App* verb = app.add_subcommand("expect", "Hold scenes against the numbers in their `expect { }`");
+  CLI::App* verb =
+      app.add_subcommand("expect", "Hold scenes against the numbers in their `expect { }`");
   verb->add_option("scenes", command.scenes, "The scenes")->required();
   add_scene_options(*verb, command.options);
   command.device.real = "double";
@@ -86,11 +105,15 @@ void add_expect(CLI::App& app, ExpectCommand& command, Verb& chosen) {
 }
 
 void add_device_verbs(CLI::App& app, DeviceOptions& options, Verb& chosen) {
-  app.add_subcommand("devices", "The OpenCL devices, and which is used")->callback([&] { chosen = devices_command; });
-  CLI::App* verb = app.add_subcommand("probe", "Solve single faces: JSON from standard input to standard output");
+  app.add_subcommand("devices", "The OpenCL devices, and which is used")->callback([&] {
+    chosen = devices_command;
+  });
+  CLI::App* verb = app.add_subcommand(
+      "probe", "Solve single faces: JSON from standard input to standard output");
   verb->add_option("--device", options.device, "OpenCL device: its number or a part of its name");
   verb->add_option("--real", options.real, "Precision of the kernel")
-      ->check(CLI::IsMember({"float", "double"}))->capture_default_str();
+      ->check(CLI::IsMember({"float", "double"}))
+      ->capture_default_str();
   verb->callback([&] { chosen = [&] { return probe_command(options); }; });
 }
 
@@ -98,7 +121,8 @@ void add_device_verbs(CLI::App& app, DeviceOptions& options, Verb& chosen) {
 void check_verb(CLI::App& app, const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.front().rfind('-', 0) == 0) return;
   std::vector<std::string> verbs;
-  for (const CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verbs.push_back(verb->get_name());
+  for (const CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; }))
+    verbs.push_back(verb->get_name());
   if (std::find(verbs.begin(), verbs.end(), arguments.front()) != verbs.end()) return;
   const std::string near = nicol::sdl::nearest_word(arguments.front(), verbs);
   throw UsageError(fmt::format("'{}' is no verb of nicol{}; there are {}", arguments.front(),
@@ -124,14 +148,16 @@ int run(const std::vector<std::string>& arguments) {
   add_check(app, check, chosen);
   add_expect(app, expect, chosen);
   add_device_verbs(app, device, chosen);
-  app.add_subcommand("words", "Every word that a scene may use, as Markdown")
-      ->callback([&] { chosen = words_command; });
+  app.add_subcommand("words", "Every word that a scene may use, as Markdown")->callback([&] {
+    chosen = words_command;
+  });
 
   check_verb(app, arguments);
   std::vector<std::string> ignored, translated = arguments;
   if (!arguments.empty() && arguments.front() == "render") {
     translated = translate_povray_switches(arguments, ignored);
-    for (const std::string& argument : ignored) fmt::print(stderr, "nicol: {} says nothing to nicol; ignored\n", argument);
+    for (const std::string& argument : ignored)
+      fmt::print(stderr, "nicol: {} says nothing to nicol; ignored\n", argument);
     render.command_line = fmt::format("nicol {}", fmt::join(arguments, " "));
   }
   std::reverse(translated.begin(), translated.end());  // CLI11 takes them last first

@@ -17,11 +17,8 @@ struct Rule {
   std::string_view povray;
   std::string_view nicol;  // the option that takes the rest of the argument
 };
-constexpr std::array<Rule, 5> switches{{{"i", "--input"},
-                                        {"o", "--output"},
-                                        {"w", "--width"},
-                                        {"h", "--height"},
-                                        {"l", "--library"}}};
+constexpr std::array<Rule, 5> switches{
+    {{"i", "--input"}, {"o", "--output"}, {"w", "--width"}, {"h", "--height"}, {"l", "--library"}}};
 constexpr std::array<Rule, 7> settings{{{"input_file_name", "--input"},
                                         {"output_file_name", "--output"},
                                         {"width", "--width"},
@@ -46,8 +43,10 @@ bool translate_switch(const std::string& argument, std::vector<std::string>& out
   for (const Rule& rule : switches) {
     if (name != rule.povray) continue;
     const bool wants_number = rule.nicol == "--width" || rule.nicol == "--height";
-    if (wants_number && (value.empty() || !std::isdigit(static_cast<unsigned char>(value[0])))) return false;
-    if (value.empty()) throw UsageError(fmt::format("{} needs its value attached, as in +Iscene.pov", argument));
+    if (wants_number && (value.empty() || !std::isdigit(static_cast<unsigned char>(value[0]))))
+      return false;
+    if (value.empty())
+      throw UsageError(fmt::format("{} needs its value attached, as in +Iscene.pov", argument));
     out.insert(out.end(), {std::string(rule.nicol), value});
     return true;
   }
@@ -83,9 +82,12 @@ std::vector<std::string> translate_povray_switches(const std::vector<std::string
       continue;
     }
     if (plus)
-      throw UsageError(fmt::format(
-          "the POV-Ray switch {} is not obeyed by nicol, which takes +I +O +W +H +L and Declare=name=value", argument));
-    const bool setting = !argument.empty() && std::isalpha(static_cast<unsigned char>(argument[0])) &&
+      throw UsageError(
+          fmt::format("the POV-Ray switch {} is not obeyed by nicol, which takes +I +O +W +H +L "
+                      "and Declare=name=value",
+                      argument));
+    const bool setting = !argument.empty() &&
+                         std::isalpha(static_cast<unsigned char>(argument[0])) &&
                          argument.find('=') != std::string::npos;
     if (setting && translate_setting(argument, out, ignored)) continue;
     out.push_back(argument);

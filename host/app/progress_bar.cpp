@@ -2,11 +2,11 @@
 #include "host/app/progress_bar.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <unistd.h>
 
 namespace nicol::app {
 namespace {
@@ -23,8 +23,8 @@ std::string progress_line(const Progress& progress) {
   constexpr int width = 30;
   const double fraction = std::clamp(progress.fraction, 0.0, 1.0);
   const int filled = static_cast<int>(fraction * width);
-  return fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %  {:.1f} M segments/s  {} left", "", filled, "", width - filled,
-                     std::floor(100 * fraction), progress.segments_per_second / 1e6,
+  return fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %  {:.1f} M segments/s  {} left", "", filled, "",
+                     width - filled, std::floor(100 * fraction), progress.segments_per_second / 1e6,
                      clock_text(progress.seconds_left));
 }
 

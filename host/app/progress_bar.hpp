@@ -1,4 +1,5 @@
-// One line on standard error that tells how far a render is; silent where standard error is not a terminal.
+// One line on standard error that tells how far a render is; silent where standard error is not a
+// terminal.
 #pragma once
 #include <string>
 

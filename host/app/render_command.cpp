@@ -36,19 +36,21 @@ std::vector<Target> make_targets(const RenderCommand& command) {
 
 void check_memory(const LoadedScene& loaded, const SceneOptions& options) {
   const double components = 4;
-  const double bytes = components * sizeof(float) * static_cast<double>(loaded.scene.lambda_nm.size()) *
-                       options.width * options.height;
+  const double bytes = components * sizeof(float) *
+                       static_cast<double>(loaded.scene.lambda_nm.size()) * options.width *
+                       options.height;
   const double machine_bytes =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   constexpr double bytes_per_gb = 1e9;
   if (machine_bytes > 0 && bytes > machine_bytes)
-    throw UsageError(fmt::format("a picture of {}x{} pixels and {} wavelengths takes {:.1f} GB; this machine has {:.1f}",
-                                 options.width, options.height, loaded.scene.lambda_nm.size(), bytes / bytes_per_gb,
-                                 machine_bytes / bytes_per_gb));
+    throw UsageError(fmt::format(
+        "a picture of {}x{} pixels and {} wavelengths takes {:.1f} GB; this machine has {:.1f}",
+        options.width, options.height, loaded.scene.lambda_nm.size(), bytes / bytes_per_gb,
+        machine_bytes / bytes_per_gb));
 }
 
-Frame render_loaded(const LoadedScene& loaded, const RenderCommand& command, const std::atomic<bool>& cancel,
-                    RenderReport& report) {
+Frame render_loaded(const LoadedScene& loaded, const RenderCommand& command,
+                    const std::atomic<bool>& cancel, RenderReport& report) {
   const auto device = open_wanted_device(command.device);
   RenderOptions options;
   options.kernel = kernel_options(command.device);
@@ -56,9 +58,11 @@ Frame render_loaded(const LoadedScene& loaded, const RenderCommand& command, con
   options.cancel = &cancel;
   ProgressBar bar(!command.quiet);
   options.progress = [&](const Progress& progress) { bar.show(progress); };
-  const PackedScene packed = pack(loaded.scene, loaded.geometry, loaded.features.mask, command.options.width,
-                                  command.options.height, lanes_on(*device, options.kernel));
-  Frame frame = render(*device, packed, loaded.scene.lambda_nm, loaded.scene.weight_nm, options, report);
+  const PackedScene packed =
+      pack(loaded.scene, loaded.geometry, loaded.features.mask, command.options.width,
+           command.options.height, lanes_on(*device, options.kernel));
+  Frame frame =
+      render(*device, packed, loaded.scene.lambda_nm, loaded.scene.weight_nm, options, report);
   frame.exposure = loaded.scene.settings.exposure;
   frame.how = how_made(loaded, command, report);
   return frame;
@@ -78,7 +82,8 @@ int write_all(const std::vector<Target>& targets, const Frame& frame) {
   return code;
 }
 
-void tell(const std::vector<Target>& targets, const Frame& frame, const RenderReport& report, int samples) {
+void tell(const std::vector<Target>& targets, const Frame& frame, const RenderReport& report,
+          int samples) {
   fmt::print(stderr, "{}", summary_text(frame, report, samples));
   for (const Target& target : targets) {
     const std::string suffix = std::filesystem::path(target.path).extension().string();
@@ -90,7 +95,8 @@ void tell(const std::vector<Target>& targets, const Frame& frame, const RenderRe
 }
 
 int finish_interrupted(const std::vector<Target>& targets, const Frame& frame) {
-  const auto rows = std::count_if(frame.row_done.begin(), frame.row_done.end(), [](unsigned char d) { return d != 0; });
+  const auto rows = std::count_if(frame.row_done.begin(), frame.row_done.end(),
+                                  [](unsigned char d) { return d != 0; });
   if (rows == 0) {
     fmt::print(stderr, "nicol: interrupted before the first rows; nothing written\n");
     return exit_interrupted;

@@ -9,7 +9,8 @@ namespace nicol::app {
 namespace {
 
 std::string build_text(const BuildReport& build) {
-  return fmt::format("kernel {} in {:.2f} s", build.cached ? "from the cache" : "built", build.seconds);
+  return fmt::format("kernel {} in {:.2f} s", build.cached ? "from the cache" : "built",
+                     build.seconds);
 }
 
 double segments_per_second(const RenderReport& report) {
@@ -17,8 +18,8 @@ double segments_per_second(const RenderReport& report) {
 }
 
 std::string counters_text(const RenderReport& report) {
-  return fmt::format("not a number {}, energy {}, stack {}, Stokes {}", report.nan_count, report.energy_count,
-                     report.stack_count, report.stokes_count);
+  return fmt::format("not a number {}, energy {}, stack {}, Stokes {}", report.nan_count,
+                     report.energy_count, report.stack_count, report.stokes_count);
 }
 
 }  // namespace
@@ -26,13 +27,14 @@ std::string counters_text(const RenderReport& report) {
 std::string summary_text(const Frame& frame, const RenderReport& report, int samples) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}x{} pixels, {} wavelengths {:g} to {:g} nm, {} sample{} a pixel\n", frame.width, frame.height,
-                 frame.lambda_nm.size(), frame.lambda_nm.front(), frame.lambda_nm.back(), samples,
-                 samples == 1 ? "" : "s");
+  fmt::format_to(out, "{}x{} pixels, {} wavelengths {:g} to {:g} nm, {} sample{} a pixel\n",
+                 frame.width, frame.height, frame.lambda_nm.size(), frame.lambda_nm.front(),
+                 frame.lambda_nm.back(), samples, samples == 1 ? "" : "s");
   fmt::format_to(out, "{:.2f} s, {:.1f} M segments/s on {}, {} lane{} of {}; {}\n", report.seconds,
-                 segments_per_second(report) / 1e6, report.device, report.lanes, report.lanes == 1 ? "" : "s",
-                 report.real, build_text(report.build));
-  fmt::format_to(out, "weight cut off: mean {:.2g}, worst pixel {:.2g}\n", report.cut_off_mean, report.cut_off_worst);
+                 segments_per_second(report) / 1e6, report.device, report.lanes,
+                 report.lanes == 1 ? "" : "s", report.real, build_text(report.build));
+  fmt::format_to(out, "weight cut off: mean {:.2g}, worst pixel {:.2g}\n", report.cut_off_mean,
+                 report.cut_off_worst);
   fmt::format_to(out, "counted on the device: {}\n", counters_text(report));
   return text;
 }
@@ -40,29 +42,35 @@ std::string summary_text(const Frame& frame, const RenderReport& report, int sam
 std::string counter_warnings(const RenderReport& report) {
   std::string text;
   const auto warn = [&](std::uint64_t count, const char* meaning) {
-    if (count > 0) fmt::format_to(std::back_inserter(text), "warning: {} times {}\n", count, meaning);
+    if (count > 0)
+      fmt::format_to(std::back_inserter(text), "warning: {} times {}\n", count, meaning);
   };
   warn(report.nan_count, "a path's light was not a number; it was left out");
   warn(report.energy_count, "a face gave out more light than it got");
-  warn(report.stack_count, "a path had more branches than the stack holds; they were counted as cut off");
+  warn(report.stack_count,
+       "a path had more branches than the stack holds; they were counted as cut off");
   warn(report.stokes_count, "a pixel was polarized by more than 100 %");
   return text;
 }
 
-std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loaded, const RenderCommand& command,
+std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loaded,
+                                                          const RenderCommand& command,
                                                           const RenderReport& report) {
   const Settings& settings = loaded.scene.settings;
   return {{"scene", command.scene},
           {"command", command.command_line},
           {"version", fmt::format("nicol {}", version())},
-          {"settings", fmt::format("samples {}, max_trace_level {}, adc_bailout {:g}, exposure {:g}, polarization {}",
-                                   settings.samples, settings.max_trace_level, settings.adc_bailout,
-                                   settings.exposure, settings.polarization ? "on" : "off")},
+          {"settings",
+           fmt::format(
+               "samples {}, max_trace_level {}, adc_bailout {:g}, exposure {:g}, polarization {}",
+               settings.samples, settings.max_trace_level, settings.adc_bailout, settings.exposure,
+               settings.polarization ? "on" : "off")},
           {"features", fmt::format("{:#x}", loaded.features.mask)},
           {"device", fmt::format("{}, {} lanes of {}", report.device, report.lanes, report.real)},
-          {"time", fmt::format("{:.3f} s, {:.3g} segments/s; {}", report.seconds, segments_per_second(report),
-                               build_text(report.build))},
-          {"cutOff", fmt::format("mean {:.3g}, worst {:.3g}", report.cut_off_mean, report.cut_off_worst)},
+          {"time", fmt::format("{:.3f} s, {:.3g} segments/s; {}", report.seconds,
+                               segments_per_second(report), build_text(report.build))},
+          {"cutOff",
+           fmt::format("mean {:.3g}, worst {:.3g}", report.cut_off_mean, report.cut_off_worst)},
           {"counters", counters_text(report)}};
 }
 

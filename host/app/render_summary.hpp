@@ -15,7 +15,8 @@ std::string summary_text(const Frame& frame, const RenderReport& report, int sam
 // One line for each counter that is not 0, each saying what it means; empty if all is well.
 std::string counter_warnings(const RenderReport& report);
 
-std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loaded, const RenderCommand& command,
+std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loaded,
+                                                          const RenderCommand& command,
                                                           const RenderReport& report);
 
 }  // namespace nicol::app

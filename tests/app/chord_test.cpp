@@ -1,16 +1,17 @@
 // The straight way of a camera ray through a slab, against Snell's law written out.
+#include "host/app/chord.hpp"
+
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <cmath>
 
-#include "host/app/chord.hpp"
-
 using namespace nicol;
 
 namespace {
 
-// A box of half-widths (50, half_mm, 50) around `centre`, index n, under a camera that looks down its y axis.
+// A box of half-widths (50, half_mm, 50) around `centre`, index n, under a camera that looks down
+// its y axis.
 struct Slab {
   Scene scene;
   Geometry geometry;
@@ -79,7 +80,8 @@ TEST_CASE("a parallel ray of an orthographic camera keeps its place") {
   Slab slab(3, 2, {0, 0, 0});
   slab.scene.camera.orthographic = true;
   slab.scene.camera.right = {200, 0, 0};
-  CHECK(app::first_chord(slab.scene, slab.geometry, {0.7, 0.5}, 0)->length_mm == doctest::Approx(6));
+  CHECK(app::first_chord(slab.scene, slab.geometry, {0.7, 0.5}, 0)->length_mm ==
+        doctest::Approx(6));
   CHECK_FALSE(app::first_chord(slab.scene, slab.geometry, {0.8, 0.5}, 0));
 }
 

@@ -3,6 +3,7 @@
 
 command_line_test.py NICOL
 """
+
 import os
 import pty
 import re
@@ -29,9 +30,9 @@ def read_png(path):
     assert data[:8] == b"\x89PNG\r\n\x1a\n", "no PNG"
     at, pixels, kinds = 8, b"", []
     while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at:at + 8])
-        body = data[at + 8:at + 8 + length]
-        (crc,) = struct.unpack(">I", data[at + 8 + length:at + 12 + length])
+        length, kind = struct.unpack(">I4s", data[at : at + 8])
+        body = data[at + 8 : at + 8 + length]
+        (crc,) = struct.unpack(">I", data[at + 8 + length : at + 12 + length])
         assert crc == zlib.crc32(kind + body), f"damaged chunk {kind}"
         kinds.append(kind)
         if kind == b"IHDR":
@@ -59,8 +60,13 @@ class CommandLine(unittest.TestCase):
 
     def nicol(self, *arguments, **options):
         options.setdefault("cwd", self.folder)
-        return subprocess.run([NICOL, *map(str, arguments)], capture_output=True, text=True,
-                              timeout=PATIENCE_S, **options)
+        return subprocess.run(
+            [NICOL, *map(str, arguments)],
+            capture_output=True,
+            text=True,
+            timeout=PATIENCE_S,
+            **options,
+        )
 
     def scene(self, text, name="scene.pov"):
         (self.folder / name).write_text(text)
@@ -105,15 +111,21 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(self.left_in_folder(), ["cube.png"])
 
     def test_wavelengths_from_the_command_line(self):
-        result = self.nicol("render", SCENE, "-o", "a.exr", "-W", 8, "-H", 8, "--wavelengths", "500:520:10")
+        result = self.nicol(
+            "render", SCENE, "-o", "a.exr", "-W", 8, "-H", 8, "--wavelengths", "500:520:10"
+        )
         self.assertEqual(result.returncode, 0, result.stderr)
         names = set(re.findall(r"S0\.[0-9,]+nm", exr_header(self.folder / "a.exr")))
         self.assertEqual(names, {"S0.500,000000nm", "S0.510,000000nm", "S0.520,000000nm"})
         for wrong in "700:400:10", "400:700:0", "400:700", "400:700:x", "550,550", "0:1e9:1e-3":
-            self.assert_refused(self.nicol("render", SCENE, "-o", "b.exr", "--wavelengths", wrong), wrong)
+            self.assert_refused(
+                self.nicol("render", SCENE, "-o", "b.exr", "--wavelengths", wrong), wrong
+            )
 
     def test_povray_switches(self):
-        result = self.nicol("render", f"+I{SCENE}", "+Oa.png", "+W24", "+H18", "+A0.3", "Declare=Sky=0.2")
+        result = self.nicol(
+            "render", f"+I{SCENE}", "+Oa.png", "+W24", "+H18", "+A0.3", "Declare=Sky=0.2"
+        )
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(read_png(self.folder / "a.png"), (24, 18))
         self.assertIn("+A0.3", result.stderr)
@@ -123,8 +135,11 @@ class CommandLine(unittest.TestCase):
         def header(sky, name):
             self.nicol("render", SCENE, "-o", name, "-W", 1, "-H", 1, "--declare", f"Sky={sky}")
             return (self.folder / name).read_bytes()
+
         self.assertNotEqual(header(0.2, "a.png"), header(0.9, "b.png"))
-        self.assert_refused(self.nicol("render", SCENE, "-o", "c.png", "--declare", "Sky"), "name=value")
+        self.assert_refused(
+            self.nicol("render", SCENE, "-o", "c.png", "--declare", "Sky"), "name=value"
+        )
 
     # ---- what cannot be done ----
     def test_unknown_suffix_before_anything_else(self):
@@ -144,7 +159,11 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(self.left_in_folder(), [])
 
     def test_bad_scene_tells_all_errors_and_keeps_the_old_picture(self):
-        bad = self.scene("camera { location <0, 0, -5> lok_at 0 }\nsphear { 0, 1 }\nbox { 0, 1 interior { ior } }\n")
+        bad = self.scene(
+            "camera { location <0, 0, -5> lok_at 0 }\n"
+            "sphear { 0, 1 }\n"
+            "box { 0, 1 interior { ior } }\n"
+        )
         (self.folder / "a.png").write_text("old")
         for verb in (["render", "-o", "a.png"], ["check"], ["explain", "--no-build"], ["expect"]):
             result = self.nicol(verb[0], bad, *verb[1:])
@@ -163,20 +182,35 @@ class CommandLine(unittest.TestCase):
         limit = (4096, 4096)
         self.nicol("render", SCENE, "-o", "a.exr", "-W", 64, "-H", 64)
         (self.folder / "a.exr").unlink()
-        result = self.nicol("render", SCENE, "-o", "a.exr", "-W", 64, "-H", 64,
-                            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, limit))
+        result = self.nicol(
+            "render",
+            SCENE,
+            "-o",
+            "a.exr",
+            "-W",
+            64,
+            "-H",
+            64,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, limit),
+        )
         self.assert_refused(result, "cannot write a.exr", "File too large")
         self.assertEqual(self.left_in_folder(), [])
 
-    @unittest.skipUnless(os.geteuid() == 0, "only root may mount; test_file_size_limit stands for it")
+    @unittest.skipUnless(
+        os.geteuid() == 0, "only root may mount; test_file_size_limit stands for it"
+    )
     def test_full_disk(self):
         disk = self.folder / "disk"
         disk.mkdir()
-        mount = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=16k", "nicol-test", disk], capture_output=True)
+        mount = subprocess.run(
+            ["mount", "-t", "tmpfs", "-o", "size=16k", "nicol-test", disk], capture_output=True
+        )
         if mount.returncode != 0:
             self.skipTest("this root may not mount; test_file_size_limit stands for it")
         try:
-            result = self.nicol("render", SCENE, "-o", disk / "a.exr", "-o", "b.png", "-W", 64, "-H", 64)
+            result = self.nicol(
+                "render", SCENE, "-o", disk / "a.exr", "-o", "b.png", "-W", 64, "-H", 64
+            )
             self.assert_refused(result, "a.exr", "No space left on device")
             self.assertEqual(list(disk.iterdir()), [])
             self.assertEqual(read_png(self.folder / "b.png"), (64, 64))
@@ -197,13 +231,20 @@ class CommandLine(unittest.TestCase):
 
     # ---- devices ----
     def test_unknown_device(self):
-        self.assert_refused(self.nicol("render", SCENE, "-o", "a.png", "--device", "abacus"), "abacus", "0:")
+        self.assert_refused(
+            self.nicol("render", SCENE, "-o", "a.png", "--device", "abacus"), "abacus", "0:"
+        )
         self.assertEqual(self.left_in_folder(), [])
 
     def test_no_device_at_all(self):
         (self.folder / "vendors").mkdir()
         environment = {**os.environ, "OCL_ICD_VENDORS": str(self.folder / "vendors")}
-        for arguments in (["render", SCENE, "-o", "a.png"], ["devices"], ["explain", SCENE], ["probe"]):
+        for arguments in (
+            ["render", SCENE, "-o", "a.png"],
+            ["devices"],
+            ["explain", SCENE],
+            ["probe"],
+        ):
             result = self.nicol(*arguments, env=environment, stdin=subprocess.DEVNULL)
             self.assert_refused(result, "no OpenCL device", "pocl-opencl-icd")
         self.assertEqual(self.nicol("check", SCENE, env=environment).returncode, 0)
@@ -219,17 +260,25 @@ class CommandLine(unittest.TestCase):
         result = self.nicol("expect", SCENE, "--real", "both")
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertEqual(result.stdout.count("2 of 2 hold"), 2)
-        wrong = self.scene(Path(SCENE).read_text().replace("relative_radiance 550, 0.4", "relative_radiance 550, 0.41"))
+        wrong = self.scene(
+            Path(SCENE)
+            .read_text()
+            .replace("relative_radiance 550, 0.4", "relative_radiance 550, 0.41")
+        )
         result = self.nicol("expect", wrong)
         self.assertEqual(result.returncode, 1)
-        self.assertIn("FAIL  scene.pov:9", result.stdout)
+        self.assertIn("FAIL  scene.pov:11", result.stdout)
         self.assertIn("1 of 2 hold", result.stdout)
 
     def test_expect_of_a_wavelength_that_is_not_traced(self):
-        wrong = self.scene(Path(SCENE).read_text().replace("relative_radiance 550", "relative_radiance 551"))
+        wrong = self.scene(
+            Path(SCENE).read_text().replace("relative_radiance 550", "relative_radiance 551")
+        )
         result = self.nicol("expect", wrong)
-        self.assert_refused(result, "line 9", "551 nm is not among")
-        self.assert_refused(self.nicol("expect", SCENE, "--wavelengths", "450,650"), "550 nm is not among")
+        self.assert_refused(result, "line 11", "551 nm is not among")
+        self.assert_refused(
+            self.nicol("expect", SCENE, "--wavelengths", "450,650"), "550 nm is not among"
+        )
 
     def test_explain(self):
         result = self.nicol("explain", SCENE, "--no-build")
@@ -244,11 +293,29 @@ class CommandLine(unittest.TestCase):
 
     # ---- interruption ----
     def start_long_render(self):
-        """A render on a terminal of its own, already past its first rows. Answers process and terminal."""
+        """A render on a terminal of its own, past its first rows: process and terminal."""
         terminal, slave = pty.openpty()
         process = subprocess.Popen(
-            [NICOL, "render", SCENE, "-o", "a.exr", "-o", "a.png", "-W", "700", "-H", "700", "--samples", "256"],
-            cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=slave)
+            [
+                NICOL,
+                "render",
+                SCENE,
+                "-o",
+                "a.exr",
+                "-o",
+                "a.png",
+                "-W",
+                "700",
+                "-H",
+                "700",
+                "--samples",
+                "256",
+            ],
+            cwd=self.folder,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=slave,
+        )
         os.close(slave)
         self.addCleanup(os.close, terminal)
         self.addCleanup(process.wait)

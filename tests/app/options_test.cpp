@@ -20,20 +20,21 @@ TEST_CASE("wavelengths: the end of a range belongs to it though 0.1 is no binary
 }
 
 TEST_CASE("wavelengths: nonsense is refused") {
-  for (const char* wrong : {"", "a", "400:", "400:700", "400:700:0", "400:700:-1", "700:400:1", "1:2:3:4", "450,450",
-                            "400 500", "nan", "0:1e9:1e-9"})
+  for (const char* wrong : {"", "a", "400:", "400:700", "400:700:0", "400:700:-1", "700:400:1",
+                            "1:2:3:4", "450,450", "400 500", "nan", "0:1e9:1e-9"})
     CHECK_THROWS_AS(parse_wavelengths(wrong), UsageError);
 }
 
 TEST_CASE("POV-Ray's switches become options, whatever their case") {
   std::vector<std::string> ignored;
   const auto out = translate_povray_switches(
-      {"render", "+iscene.pov", "+Oa b.exr", "+W640", "+h480", "+Lfolder", "Declare=a=1", "WIDTH=3", "-o", "x.exr",
-       "+A0.3", "+WT2", "+Q9", "scene=1.pov"},
+      {"render", "+iscene.pov", "+Oa b.exr", "+W640", "+h480", "+Lfolder", "Declare=a=1", "WIDTH=3",
+       "-o", "x.exr", "+A0.3", "+WT2", "+Q9", "scene=1.pov"},
       ignored);
-  CHECK(out == std::vector<std::string>{"render", "--input", "scene.pov", "--output", "a b.exr", "--width", "640",
-                                        "--height", "480", "--library", "folder", "--declare", "a=1", "--width", "3",
-                                        "-o", "x.exr", "scene=1.pov"});
+  CHECK(out == std::vector<std::string>{"render", "--input", "scene.pov", "--output", "a b.exr",
+                                        "--width", "640", "--height", "480", "--library", "folder",
+                                        "--declare", "a=1", "--width", "3", "-o", "x.exr",
+                                        "scene=1.pov"});
   CHECK(ignored == std::vector<std::string>{"+A0.3", "+WT2", "+Q9"});
   for (const char* wrong : {"+SR1", "+EF10", "+KFF20", "+I", "+HIheader.inc"})
     CHECK_THROWS_AS(translate_povray_switches({wrong}, ignored), UsageError);
@@ -58,8 +59,10 @@ TEST_CASE("the progress line tells share, rate and time left") {
   progress.fraction = 0.5;
   progress.segments_per_second = 42.04e6;
   progress.seconds_left = 83;
-  CHECK(progress_line(progress) == "[###############...............]  50 %  42.0 M segments/s  1:23 left");
+  CHECK(progress_line(progress) ==
+        "[###############...............]  50 %  42.0 M segments/s  1:23 left");
   progress.fraction = 1;
   progress.seconds_left = 3725;
-  CHECK(progress_line(progress) == "[##############################] 100 %  42.0 M segments/s  1:02:05 left");
+  CHECK(progress_line(progress) ==
+        "[##############################] 100 %  42.0 M segments/s  1:02:05 left");
 }

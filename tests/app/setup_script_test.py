@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""The set-up script `nicol` with stand-ins for the system's tools: what it installs, builds, says, hands over.
+"""The set-up script `nicol` with stand-ins for the system's tools.
 
 setup_script_test.py SCRIPT
 """
+
 import os
 import shutil
 import subprocess
@@ -14,17 +15,18 @@ from pathlib import Path
 
 SCRIPT = sys.argv.pop(1) if __name__ == "__main__" else ""
 
-# Each stand-in notes its call; $FAIL_<NAME> makes it fail. cmake "builds" a program that tells its arguments.
+# Each stand-in notes its call; $FAIL_<NAME> makes it fail. cmake "builds" a program that tells its
+# arguments.
 STAND_INS = {
     "dpkg-query": 'for p; do case $p in -*) ;; *) case " $LACKING " in *" $p "*) ;; *) '
-                  'printf "installed=%s " "$p";; esac;; esac; done',
+    'printf "installed=%s " "$p";; esac;; esac; done',
     "id": 'echo "${USER_ID:-0}"',
     "sudo": '[ -z "${FAIL_SUDO:-}" ] || exit 1; shift; exec "$@"',
     "apt-get": 'echo "apt-get $*" >>"$CALLS"; echo "E: no route to $1"; [ -z "${FAIL_APT:-}" ]',
     "cmake": 'echo "cmake $*" >>"$CALLS"; echo "configuring or building"; [ -z "${FAIL_CMAKE:-}" ] || exit 1\n'
-             'mkdir -p "$NICOL_BUILD/bin"; for name in nicol nicol_bench; do\n'
-             'printf \'#!/bin/sh\\necho "%s got $*"\\nexit 7\\n\' "$name" >"$NICOL_BUILD/bin/$name"\n'
-             'chmod +x "$NICOL_BUILD/bin/$name"; done',
+    'mkdir -p "$NICOL_BUILD/bin"; for name in nicol nicol_bench; do\n'
+    'printf \'#!/bin/sh\\necho "%s got $*"\\nexit 7\\n\' "$name" >"$NICOL_BUILD/bin/$name"\n'
+    'chmod +x "$NICOL_BUILD/bin/$name"; done',
     "ctest": 'echo "ctest $*"; exit 5',
 }
 
@@ -45,12 +47,23 @@ class SetupScript(unittest.TestCase):
             (tools / name).write_text("#!/bin/sh\n" + text + "\n")
             (tools / name).chmod(0o755)
         self.calls = Path(folder.name) / "calls"
-        self.environment = {**os.environ, "PATH": f"{tools}:{os.environ['PATH']}", "CALLS": str(self.calls),
-                            "NICOL_BUILD": str(self.root / "build/release"), "LACKING": ""}
+        self.environment = {
+            **os.environ,
+            "PATH": f"{tools}:{os.environ['PATH']}",
+            "CALLS": str(self.calls),
+            "NICOL_BUILD": str(self.root / "build/release"),
+            "LACKING": "",
+        }
 
     def nicol(self, *arguments, **environment):
-        return subprocess.run([self.root / "nicol", *arguments], capture_output=True, text=True, timeout=60,
-                              stdin=subprocess.DEVNULL, env={**self.environment, **environment})
+        return subprocess.run(
+            [self.root / "nicol", *arguments],
+            capture_output=True,
+            text=True,
+            timeout=60,
+            stdin=subprocess.DEVNULL,
+            env={**self.environment, **environment},
+        )
 
     def take_calls(self):
         text = self.calls.read_text() if self.calls.exists() else ""
@@ -59,7 +72,11 @@ class SetupScript(unittest.TestCase):
 
     def test_builds_once_and_hands_over(self):
         result = self.nicol("render", "a b.pov", "-o", "x.exr")
-        self.assertEqual((result.returncode, result.stdout), (7, "nicol got render a b.pov -o x.exr\n"), result.stderr)
+        self.assertEqual(
+            (result.returncode, result.stdout),
+            (7, "nicol got render a b.pov -o x.exr\n"),
+            result.stderr,
+        )
         calls = self.take_calls()
         self.assertIn("-DNICOL_TESTS=OFF", calls)
         self.assertIn("--target nicol\n", calls)
@@ -68,7 +85,9 @@ class SetupScript(unittest.TestCase):
         started = time.monotonic()
         result = self.nicol("devices")
         self.assertLess(time.monotonic() - started, 1)
-        self.assertEqual((result.returncode, result.stdout, result.stderr), (7, "nicol got devices\n", ""))
+        self.assertEqual(
+            (result.returncode, result.stdout, result.stderr), (7, "nicol got devices\n", "")
+        )
         self.assertEqual(self.take_calls(), "")
 
     def test_builds_again_when_a_source_is_newer(self):
@@ -87,7 +106,9 @@ class SetupScript(unittest.TestCase):
         result = self.nicol("devices", LACKING="libpng-dev pocl-opencl-icd doctest-dev")
         self.assertEqual(result.returncode, 7, result.stderr)
         line = self.take_calls().splitlines()[0]
-        self.assertRegex(line, r"^apt-get install -y --no-install-recommends .*libpng-dev pocl-opencl-icd\s*$")
+        self.assertRegex(
+            line, r"^apt-get install -y --no-install-recommends .*libpng-dev pocl-opencl-icd\s*$"
+        )
         self.assertIn("libpng-dev pocl-opencl-icd", result.stderr)
 
     def test_tests_and_bench_need_more(self):
@@ -130,7 +151,9 @@ class SetupScript(unittest.TestCase):
     def test_called_from_elsewhere_and_through_a_link(self):
         link = self.root.parent / "link"
         link.symlink_to(self.root / "nicol")
-        result = subprocess.run([link, "devices"], capture_output=True, text=True, cwd="/", env=self.environment)
+        result = subprocess.run(
+            [link, "devices"], capture_output=True, text=True, cwd="/", env=self.environment
+        )
         self.assertEqual(result.stdout, "nicol got devices\n", result.stderr)
 
 

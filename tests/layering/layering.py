@@ -4,6 +4,7 @@
 layering.py ROOT        prints each violation as file:line: reason; exit code 1 if there is one.
                         Files over the soft limit of lines are reported, not refused.
 """
+
 import re
 import sys
 from pathlib import Path
@@ -38,8 +39,10 @@ HOST_MODULES = {
     "app": {"", "optics", "bind", "solids", "output", "opencl", "preview"},
 }
 
-OPTICS_WORDS = (r"\w*(refracti|polariz|birefring|wavelength|lambda_nm|stokes|jones|crystal|uniaxial|"
-                r"dispersi|fresnel|sellmeier)\w*")
+OPTICS_WORDS = (
+    r"\w*(refracti|polariz|birefring|wavelength|lambda_nm|stokes|jones|crystal|uniaxial|"
+    r"dispersi|fresnel|sellmeier)\w*"
+)
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -69,7 +72,11 @@ def library_violation(path, name):
 def own_file_violation(path, target):
     layer, target_layer = path.split("/")[0], target.split("/")[0]
     if layer in ("sdl", "kernels"):
-        return None if target_layer == layer else f"{layer} includes {target}: it knows nothing else of this tree"
+        return (
+            None
+            if target_layer == layer
+            else f"{layer} includes {target}: it knows nothing else of this tree"
+        )
     if target_layer == "sdl":
         if target not in SDL_FOR_ALL and not path.startswith(SDL_READERS):
             return f"only {' and '.join(SDL_READERS)} read the language: {target}"

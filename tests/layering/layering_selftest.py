@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Proves that layering.py finds what it must find and leaves alone what is right, on trees made for it."""
+"""Proves on trees made for it that layering.py finds what it must and leaves alone what is right."""
+
 import tempfile
 import unittest
 from pathlib import Path
@@ -67,7 +68,9 @@ class Layering(unittest.TestCase):
     def test_each_violation_is_found_in_its_line(self):
         for path, line in WRONG:
             with self.subTest(path=path, line=line):
-                violations, _ = self.check({**RIGHT, path: RIGHT.get(path, "") + "// first\n" + line})
+                violations, _ = self.check(
+                    {**RIGHT, path: RIGHT.get(path, "") + "// first\n" + line}
+                )
                 place = RIGHT.get(path, "").count("\n") + 2
                 self.assertEqual([v[:2] for v in violations], [(path, place)])
 
