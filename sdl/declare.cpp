@@ -19,8 +19,7 @@ void Parser::declare_directive(bool local) {
       name = next_held(false);
     }
   }
-  const bool taken = describe(name) == symbols_.text(name.index);
-  if (name.kind != Kind::word || taken || name.holds<MacroPtr>() ||
+  if (name.kind != Kind::word || is_reserved(name) || name.holds<MacroPtr>() ||
       name.keyword_class() != KeywordClass::none) {
     fail("undeclared identifier", name);
   }

@@ -51,6 +51,8 @@ std::uint32_t Parser::call_index(const Token& name, const Macro& macro) {
 
 void Parser::call_macro(const Token& name, MacroPtr macro) {
   const Nest nest(*this);
+  const bool held = holding_;
+  holding_ = false;
   std::vector<CellPtr> arguments;
   expect('(');
   {
@@ -67,6 +69,7 @@ void Parser::call_macro(const Token& name, MacroPtr macro) {
     }
     group.close(')');
   }
+  holding_ = held;
   int running = 0;
   for (const Frame& f : frames_) running += f.macro ? 1 : 0;
   if (running >= options_.limits.macro_depth) {

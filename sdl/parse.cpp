@@ -82,7 +82,7 @@ void Parser::statement() {
     item.value = *declared;
   } else if (token.undeclared() && peek().is('{')) {
     item.value = block(token);
-  } else if (token.undeclared() && describe(token) == symbols_.text(token.index)) {
+  } else if (is_reserved(token)) {
     const Token after = next();
     fail_with(after, "Missing { after '" + describe(token) + "', " + describe(after) + " found instead");
   } else {

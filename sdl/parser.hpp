@@ -120,6 +120,7 @@ class Parser {
   // recover.cpp: errors
   void report(const Failure& failure);
   void warn(Location where, const std::string& message);
+  bool is_reserved(const Token& token) const;
   std::string describe(const Token& token) const;
   std::string hint(const Token& token) const;
   [[noreturn]] void fail(const std::string& expected, const Token& found);

@@ -26,6 +26,12 @@ void Parser::warn(Location where, const std::string& message) {
   }
 }
 
+bool Parser::is_reserved(const Token& token) const {
+  if (!token.undeclared()) return false;
+  const auto& words = options_.reserved;
+  return std::find(words.begin(), words.end(), symbols_.text(token.index)) != words.end();
+}
+
 std::string Parser::describe(const Token& token) const {
   switch (token.kind) {
     case Kind::end: return "End of File";
@@ -52,12 +58,8 @@ std::string Parser::describe(const Token& token) const {
     case KeywordClass::maker: case KeywordClass::string_function: return symbols_.text(token.index);
     default: break;
   }
-  if (!token.cell) {
-    for (const std::string& word : options_.reserved) {
-      if (word == symbols_.text(token.index)) return word;
-    }
-    return "undeclared identifier " + name;
-  }
+  if (is_reserved(token)) return symbols_.text(token.index);
+  if (!token.cell) return "undeclared identifier " + name;
   const std::string kind = kind_name(token.cell->value);
   if (kind == "float identifier") return "float function '" + kind + "'";
   if (kind == "vector identifier") return "vector function '" + kind + "'";

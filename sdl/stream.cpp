@@ -151,8 +151,9 @@ Token Parser::next_name() {
 
 Token Parser::next_held(bool expand) {
   const bool expanded = expand_macros_, held = holding_;
+  const Lexeme* lexeme = pushed_.empty() ? peek_lexeme() : nullptr;
   expand_macros_ = expand;
-  holding_ = true;
+  holding_ = lexeme && lexeme->kind == Kind::directive;
   Token token = next();
   expand_macros_ = expanded;
   holding_ = held;

@@ -1,0 +1,78 @@
+// Scenes damaged at random, for a few seconds: no crash, no hang, and good ones still print and parse.
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "parsed.hpp"
+
+using namespace sdl_test;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> seeds() {
+  std::vector<std::string> texts;
+  for (const auto& entry : fs::directory_iterator(fs::path(SDL_TEST_FOLDER) / "bad")) {
+    if (entry.path().extension() != ".pov") continue;
+    std::ifstream in(entry.path(), std::ios::binary);
+    texts.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  }
+  texts.push_back("#version 3.7; #declare T = texture { a } texture { b } #macro M(A, B) sphere { A*x, B texture { T } }"
+                  " #end #for (i, 0, 3) M(i, 1) #end #declare F = function(a) { sin(a)*2 } box { 0, F(1) }");
+  return texts;
+}
+
+using Random = std::mt19937;
+
+std::size_t below(Random& random, std::size_t n) { return n == 0 ? 0 : random() % n; }
+
+std::string damaged(std::string text, const std::string& other, Random& random) {
+  static const std::string marks = "{}[]()<>#;,.\"+-*/!&|?:=\\ \n0129xyzAe_$\xc3\x80";
+  for (std::size_t i = below(random, 6) + 1; i > 0; --i) {
+    const std::size_t at = below(random, text.size()), length = below(random, 20);
+    switch (below(random, 5)) {
+      case 0: text.insert(at, 1, marks[below(random, marks.size())]); break;
+      case 1: text.erase(at, length); break;
+      case 2: text.insert(at, text.substr(below(random, text.size()), length)); break;
+      case 3: text.insert(at, other.substr(below(random, other.size()), length * 2)); break;
+      default:
+        if (!text.empty()) text[at] = static_cast<char>(random());
+        break;
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("damaged scenes") {
+  const std::vector<std::string> texts = seeds();
+  Random random(20240607);
+  Options options;
+  options.limits.steps = 50'000;
+  options.limits.items = 50'000;
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::seconds(3);
+  double slowest_s = 0;
+  int count = 0, good = 0;
+  while (Clock::now() < end) {
+    const std::string text = damaged(texts[below(random, texts.size())], texts[below(random, texts.size())], random);
+    const auto start = Clock::now();
+    Parsed parsed(text, options);
+    parsed.result.diagnostics.text();
+    slowest_s = std::max(slowest_s, std::chrono::duration<double>(Clock::now() - start).count());
+    ++count;
+    if (parsed.result.diagnostics.failed()) continue;
+    ++good;
+    CAPTURE(text);
+    Parsed again(print(parsed.result.document));
+    REQUIRE(again.messages() == "");
+    REQUIRE(equal(parsed.result.document, again.result.document));
+  }
+  MESSAGE(count << " damaged scenes, " << good << " still good, slowest " << slowest_s << " s");
+  CHECK(count > 100);
+  CHECK(good > 5);
+  CHECK(slowest_s < 2);
+}
