@@ -21,8 +21,12 @@ typedef struct {
   mask total;      // total reflection
 } Fresnel;
 
+// Rounding may bring a grazing p1 to 0 or below, and lanes that are dead may point anywhere: both graze.
+#define LEAST_P1 lanes(1e-12f)
+
 FUNCTION Fresnel fresnel(real p1, real delta, real eps1, real eps2) {
   Fresnel out;
+  p1 = pick(p1 > LEAST_P1, p1, LEAST_P1);
   real p2_squared = p1 * p1 + delta;
   out.total = p2_squared <= lanes(0);
   real root = sqrt_of(abs_of(p2_squared));
@@ -60,6 +64,7 @@ typedef struct {
 
 FUNCTION FresnelAbsorbing fresnel_absorbing(cplx p1, cplx delta, cplx eps1, cplx eps2, mask evanescent) {
   FresnelAbsorbing out;
+  p1.re = pick(p1.re > LEAST_P1, p1.re, LEAST_P1);
   cplx p2 = forward_root(cadd(cmul(p1, p1), delta), evanescent);
   out.p2 = p2;
   cplx inverse_s = cdiv(complex_of(lanes(1), lanes(0)), cadd(p1, p2));
