@@ -199,6 +199,11 @@ FUNCTION lane_int patch_behind_sheet(PRIVATE const SceneView* view, PRIVATE cons
     vec3 n = broadcast(view->face_reals + record[PATCH_FACE] * FACE_REALS);
     vec3 point_there = sub3(add3(path->ray.position, cell_centre(view, path->ray.cell)), cell_centre(view, record[PATCH_CELL]));
     mask on = dot3(n, path->ray.direction) < lanes(0);
+    GLOBAL const int* cell = cell_of(view, record[PATCH_CELL]);
+    for (int face = cell[CELL_FIRST_FACE]; face < cell[CELL_FIRST_FACE] + cell[CELL_FACE_COUNT]; ++face) {
+      GLOBAL const scalar* plane = view->face_reals + face * FACE_REALS;
+      if (face != record[PATCH_FACE]) on = on & (dot3(broadcast(plane), point_there) <= lanes(plane[3]));
+    }
     on = inside_edges(view, record[PATCH_FIRST_EDGE], record[PATCH_EDGE_COUNT], point_there, on);
     if (has(discs, view) && record[PATCH_HAS_DISC]) {
       GLOBAL const scalar* reals = view->patch_reals + i * PATCH_REALS;
@@ -209,13 +214,10 @@ FUNCTION lane_int patch_behind_sheet(PRIVATE const SceneView* view, PRIVATE cons
   return found;
 }
 
-// Through a free-standing polarizer. Where a solid stands on its far side, the lanes enter that next.
-FUNCTION void through_sheet(PRIVATE const SceneView* view, PRIVATE Path* path, int sheet, PRIVATE PathStack* stack,
-                            PRIVATE Gathered* sum, GLOBAL event_count* counters) {
-  pass_polarizer(view, path, view->sheets[sheet * SHEET_INTS + SHEET_POLARIZER]);
-  ++path->level;
-  path->ray.from_cell = -1;
-  path->ray.from_sheet = sheet;
+// Where a solid stands behind a polarizer just passed, the lanes enter that next; lanes that enter different
+// solids, or none, part.
+FUNCTION void enter_behind(PRIVATE const SceneView* view, PRIVATE Path* path, int sheet, PRIVATE PathStack* stack,
+                           PRIVATE Gathered* sum, GLOBAL event_count* counters) {
   path->pinned = -1;
   if (!has(polarizer_contacts, view) || !view->sheets[sheet * SHEET_INTS + SHEET_TOUCHES]) return;
   lane_int behind = patch_behind_sheet(view, path, sheet);
@@ -234,6 +236,14 @@ FUNCTION void through_sheet(PRIVATE const SceneView* view, PRIVATE Path* path, i
     push(view, stack, part, sum, counters);
     path->jones = keep_lanes(view, not_mask(mine), path->jones);
   }
+}
+
+// Through a polarizer that the path stands on, and on to what touches its far side.
+FUNCTION void through_sheet(PRIVATE const SceneView* view, PRIVATE Path* path, int sheet, PRIVATE PathStack* stack,
+                            PRIVATE Gathered* sum, GLOBAL event_count* counters) {
+  pass_polarizer(view, path, view->sheets[sheet * SHEET_INTS + SHEET_POLARIZER]);
+  path->ray.from_sheet = sheet;
+  enter_behind(view, path, sheet, stack, sum, counters);
 }
 
 // Follows the tree behind `path` and adds what it brings. Returns the lane-segments traced.
@@ -273,11 +283,14 @@ FUNCTION int follow(PRIVATE const SceneView* view, Path path, PRIVATE PathStack*
       if (met_patch >= 0) behind = view->patches[met_patch * PATCH_INTS + PATCH_BEHIND];
       // turn the dead lanes' hits into something finite
       hit.depth_mm = pick(hit.depth_mm < FAR_MM, hit.depth_mm, lanes(0));
+      path.ray.direction = pick3(dot3(path.ray.direction, hit.normal) > lanes(0), path.ray.direction, hit.normal);
       path.ray.position = along(hit.depth_mm, path.ray.direction, path.ray.position);
       int medium1 = cell_of(view, cell)[CELL_MEDIUM];
       vec3 u = has(polarization, view) ? across_incidence(hit.normal, path.ray.direction) : path.axis;
       go_through(view, &path, medium1, hit.depth_mm, u);
       if ((has(polarizing_sheets, view)) && lead >= first_sheet && lead < first_patch) {
+        ++path.level;
+        path.ray.from_cell = -1;
         through_sheet(view, &path, lead - first_sheet, stack, sum, counters);
         going = keep_bright(view, &path, sum, counters);
       } else if (has(solid_contacts, view) && behind == BEHIND_SEAM) {
@@ -313,18 +326,14 @@ FUNCTION int follow(PRIVATE const SceneView* view, Path path, PRIVATE PathStack*
         path.ray.from_sheet = -1;
         if (exits && has(light_contacts, view)) gather_contact_lights(view, &refracted, cell, patch, sum);
         if (exits && has(polarizer_contacts, view) && behind == BEHIND_POLARIZER) {
-          int sheet = view->patches[met_patch * PATCH_INTS + PATCH_SHEET];
-          pass_polarizer(view, &refracted, view->sheets[sheet * SHEET_INTS + SHEET_POLARIZER]);
-          refracted.ray.from_sheet = sheet;
+          through_sheet(view, &refracted, view->patches[met_patch * PATCH_INTS + PATCH_SHEET], stack, sum, counters);
         }
         if (exits && has(solid_contacts, view) && behind == BEHIND_CELL_GAP) refracted.pinned = twin;
         if (!exits && pinned >= 0) {  // thrown back by the face beyond the gap
           GLOBAL const int* record = view->patches + pinned * PATCH_INTS;
           if (has(solid_contacts, view) && record[PATCH_BEHIND] == BEHIND_CELL_GAP) path.pinned = record[PATCH_TWIN];
-          if (has(polarizer_contacts, view) && record[PATCH_BEHIND] == BEHIND_POLARIZER) {
-            pass_polarizer(view, &path, view->sheets[record[PATCH_SHEET] * SHEET_INTS + SHEET_POLARIZER]);
-            path.ray.from_sheet = record[PATCH_SHEET];
-          }
+          if (has(polarizer_contacts, view) && record[PATCH_BEHIND] == BEHIND_POLARIZER)
+            through_sheet(view, &path, record[PATCH_SHEET], stack, sum, counters);
         }
         // what leaves for good is added whatever its weight; adc_bailout cuts what would go on
         int through = is_live(view, &refracted) && !(refracted.pinned < 0 && escapes(view, &refracted, sum)) &&
