@@ -46,27 +46,37 @@ int print_all(const LoadedScene& loaded, Device& device, const DeviceOptions& op
   return failures;
 }
 
+// Both: what the device has of the two.
+std::vector<std::string> wanted_reals(const DeviceOptions& options, const Device& device) {
+  if (options.real != "both") return {options.real};
+  if (info(device).has_fp64) return {"double", "float"};
+  fmt::print(stderr, "nicol: {} has no double precision; float only\n", info(device).name);
+  return {"float"};
+}
+
+// Answers whether all of the scene's expectations hold.
+bool holds(const LoadedScene& loaded, DeviceOptions options) {
+  const auto device = open_wanted_device(options);
+  int failures = 0;
+  for (const std::string& real : wanted_reals(options, *device)) {
+    options.real = real;
+    failures += print_all(loaded, *device, options);
+  }
+  return failures == 0;
+}
+
 }  // namespace
 
 int expect_command(const ExpectCommand& command) {
-  const bool both = command.device.real == "both";
-  const std::vector<std::string> reals = both ? std::vector<std::string>{"double", "float"}
-                                              : std::vector<std::string>{command.device.real};
   int code = exit_done;
   for (const std::string& path : command.scenes) {
     const auto loaded = load_scene(path, command.options, Expectations::always);
     if (!loaded) {
       code = exit_error;
-      continue;
-    }
-    if (loaded->scene.expectations.empty()) {
+    } else if (loaded->scene.expectations.empty()) {
       fmt::print("{}: expects nothing\n", path);
-      continue;
-    }
-    for (const std::string& real : reals) {
-      DeviceOptions options = command.device;
-      options.real = real;
-      if (print_all(*loaded, *open_wanted_device(options), options) > 0) code = exit_error;
+    } else if (!holds(*loaded, command.device)) {
+      code = exit_error;
     }
   }
   return code;

@@ -99,7 +99,7 @@ void add_expect(CLI::App& app, ExpectCommand& command, Verb& chosen) {
       app.add_subcommand("expect", "Hold scenes against the numbers in their `expect { }`");
   verb->add_option("scenes", command.scenes, "The scenes")->required();
   add_scene_options(*verb, command.options);
-  command.device.real = "double";
+  command.device.real = "both";
   add_device_options(*verb, command.device, {"float", "double", "both"});
   verb->callback([&] { chosen = [&] { return expect_command(command); }; });
 }

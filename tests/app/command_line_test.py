@@ -257,7 +257,7 @@ class CommandLine(unittest.TestCase):
 
     # ---- other verbs ----
     def test_expect(self):
-        result = self.nicol("expect", SCENE, "--real", "both")
+        result = self.nicol("expect", SCENE)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertEqual(result.stdout.count("2 of 2 hold"), 2)
         wrong = self.scene(
