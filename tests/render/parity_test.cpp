@@ -1,6 +1,9 @@
 // The same picture from any number of lanes, from the C++ compiler and from OpenCL.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/bench/native.hpp"
 #include "tests/render/pictures.hpp"
 
@@ -50,8 +53,8 @@ TEST_CASE("lanes over pixels draw what lanes over wavelengths draw") {
     if (row.name == "lanes_over_pixels") over_pixels = bit;
     bit <<= 1;
   }
-  CHECK(take(setup, mask, with(8, false), 32).frame.stokes ==
-        take(setup, mask | over_pixels, with(8, false), 32).frame.stokes);
+  // the order in which a tree is followed, and so of its sums, is that of the lanes together
+  CHECK(difference(take(setup, mask, with(8, false), 32), take(setup, mask | over_pixels, with(8, false), 32)) < 2e-6);
 }
 
 TEST_CASE("the C++ compiler draws the picture that OpenCL draws") {
