@@ -24,8 +24,9 @@ typedef struct {
 // Rounding may bring a grazing p1 to 0 or below, and lanes that are dead may point anywhere: both graze.
 #define LEAST_P1 lanes(1e-12f)
 
-FUNCTION Fresnel fresnel(real p1, real delta, real eps1, real eps2) {
+FUNCTION Fresnel fresnel(real p1, real delta, real eps1) {
   Fresnel out;
+  real eps2 = eps1 + delta;  // R + T = 1 holds to rounding only if the three agree
   p1 = pick(p1 > LEAST_P1, p1, LEAST_P1);
   real p2_squared = p1 * p1 + delta;
   out.total = p2_squared <= lanes(0);

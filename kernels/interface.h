@@ -60,7 +60,7 @@ FUNCTION Path split(PRIVATE const SceneView* view, PRIVATE Path* path, Interface
   real n2 = spectral(view, medium_row(view, face.medium2, MEDIUM_ROW_N));
   real delta = spectral(view, pair_row(view, face.medium1, face.medium2));
   real cos_i = dot3(d, face.normal);
-  Fresnel f = fresnel(n1 * cos_i, delta, n1 * n1, n2 * n2);
+  Fresnel f = fresnel(n1 * cos_i, delta, n1 * n1);
   cplx t_s = complex_of(f.t_s, lanes(0)), t_p = complex_of(f.t_p, lanes(0));
   int absorbs = has(absorption, view) && (view->media[face.medium1 * MEDIUM_INTS + MEDIUM_ABSORBS] ||
                                           view->media[face.medium2 * MEDIUM_INTS + MEDIUM_ABSORBS]);

@@ -120,7 +120,7 @@ FUNCTION void solve_isotropic(GLOBAL const scalar* problem, GLOBAL scalar* answe
     r_p = g.r_p;
     p2 = g.p2;
   } else {
-    Fresnel g = fresnel(f->p1.re, delta.re, n1.re * n1.re, n2.re * n2.re);
+    Fresnel g = fresnel(f->p1.re, delta.re, n1.re * n1.re);
     r_s = g.r_s;
     r_p = g.r_p;
     t_power_s = g.t_s * g.t_s;

@@ -20,7 +20,7 @@ TEST_CASE("eight lanes are eight times one lane") {
       std::vector<ActiveCase> active;
       for (int i = 0; i < 24; ++i) {
         const double n1 = 1 + dice(), n2 = 1 + dice();
-        faces.push_back({n1 * dice(), (n2 - n1) * (n2 + n1), n1 * n1, n2 * n2});
+        faces.push_back({n1 * dice(), (n2 - n1) * (n2 + n1), n1 * n1});
         turns.push_back({1000 * (dice() - 0.5), 20 * dice()});
         // lanes of one vector share their class
         active.push_back({n1, i < 8 ? 0 : 1e-3 * (0.1 + dice()), n2, i < 16 ? 1e-3 * (0.1 + dice()) : 0, n1 * (0.01 + 0.98 * dice()), i % 2});

@@ -99,6 +99,24 @@ TEST_CASE("an active slab between polarizers, all reflections: I = T/2 cos^2(ana
   }
 }
 
+TEST_CASE("an absorbing slab: Beer's law between Fresnel's faces, all reflections") {
+  const double n = 1.5, depth = 16;
+  for (const double k : {1e-7, 1e-6, 1e-5}) {
+    for (const Kernels* kernels : all_kernels()) {
+      TestScene scene;
+      scene.add_box({-500, -500, -depth}, {500, 500, 0}, scene.add_medium(n, k));
+      scene.add_sheet({0, 0, -depth - 1}, {0, 0, 1}, 1000, 1000, scene.add_emission(1), {});
+      const Light light = look(*kernels, scene, {0, 0, 5}, {0, 0, -1}, {1, 0, 0});
+      const double passed = std::exp(-4 * pi * k / 580e-6 * depth), r = ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
+      const double expected = (1 - r) * (1 - r) * passed / (1 - r * r * passed * passed);
+      CAPTURE(kernels->name);
+      CAPTURE(k);
+      // the flux between two waves in an absorbing medium, of order k^2, is nobody's
+      CHECK(std::fabs(light.s0 - expected) < 40 * kernels->epsilon + 2 * k * k + light.cut_off);
+    }
+  }
+}
+
 TEST_CASE("right quartz turns the plane clockwise in the picture, whichever way the light runs") {
   for (const Kernels* kernels : all_kernels()) {
     Slab slab(1.0, 1, 30, 0);  // no reflections

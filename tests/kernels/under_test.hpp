@@ -14,7 +14,7 @@ namespace nicol::test {
 using Complex = std::complex<double>;
 
 struct FresnelCase {
-  double p1, delta, eps1, eps2;
+  double p1, delta, eps1;
 };
 struct FresnelAnswer {
   Complex r_s, r_p;
