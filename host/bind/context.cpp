@@ -39,8 +39,7 @@ void Context::note_once(const std::string& key, Location where, const std::strin
 void Context::step(Location where, std::size_t count) {
   steps_ += count;
   if (steps_ <= limits.steps) return;
-  error(where, "the scene is too large: more than " + std::to_string(limits.steps) +
-                   " words and numbers once every identifier is written out");
+  error(where, "the scene is too large once every identifier is written out");
   throw GiveUp{};
 }
 

@@ -20,8 +20,9 @@ struct GiveUp {};
 struct Limits {
   std::size_t objects = 1'000'000;     // after expansion of shared blocks
   std::size_t transforms = 4'000'000;  // of all objects together
-  std::size_t steps = 60'000'000;      // items looked at; a block costs `block_steps`
-  std::size_t block_steps = 16;
+  std::size_t steps = 150'000'000;  // about what it costs to read: 1 for a word or number,
+  std::size_t block_steps = 64;     // this for a block,
+  std::size_t visit_steps = 8;      // this for an object named again
   std::size_t complaints = 200;
   int depth = 300;  // unions in unions, identifiers in identifiers
   std::size_t wavelengths = 1024;

@@ -152,7 +152,7 @@ Schema object_schema(Context& context, const char* kind, RawObject& raw) {
 }
 
 const RawObject& read_object(Context& context, const sdl::Block& block) {
-  context.step(block.where);
+  context.step(block.where, context.limits.visit_steps);
   auto& known = context.object_of_block[&block];
   if (known) return *known;
   auto raw = std::make_shared<RawObject>();

@@ -42,7 +42,7 @@ sdl::BlockPtr doubled(sdl::BlockPtr inner, const char* name, const Pieces& besid
   return inner;
 }
 
-void check_refused(const sdl::BlockPtr& top, const char* message, double most_seconds = 60) {
+void check_refused(const sdl::BlockPtr& top, const char* message, double most_seconds = 300) {
   sdl::Document document;
   document.items.push_back({});
   document.items[0].value = top;
