@@ -101,11 +101,9 @@ TextPtr Parser::string_call(const Token& name) {
       out = formatted(name.where, value, width, number());
       break;
     }
-    case Keyword::k_strlwr:
-      for (char c : string_value()->text) out += lowered(c);
-      break;
-    case Keyword::k_strupr:
-      for (char c : string_value()->text) out += raised(c);
+    case Keyword::k_strlwr: case Keyword::k_strupr:
+      out = string_value()->text;
+      for (char& c : out) c = name.is(Keyword::k_strlwr) ? lowered(c) : raised(c);
       break;
     case Keyword::k_substr: out = substr_call(name.where); break;
     default: out = vector_text(name.where); break;
