@@ -8,7 +8,7 @@ Founding_Camera(Centre, View_Angle)
 #for (Lambda, 380, 780, 40)
   expect {
     relative_radiance Lambda, On_Axis(Lambda, Edge/mm)
-    within 2e-5 source "Malus, Fresnel, all orders between the two faces: formulas in founding.inc"
+    within 2e-6 source "Malus, Fresnel, all orders between the two faces: formulas in founding.inc"
   }
 #end
 expect {

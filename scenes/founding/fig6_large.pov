@@ -6,7 +6,7 @@ global_settings { mm_per_unit Mm_Per_Unit max_trace_level 30 adc_bailout 1e-7 ex
 Founding_Camera(Centre, View_Angle)
 
 #for (Lambda, 380, 780, 40)
-  Expect_Centre(Lambda, 3e-5)
+  Expect_Centre(Lambda, 2e-6)
 #end
 expect {
   malus_xyz Edge, <0.572, 0.544, 0.512> within 1 percent

@@ -7,7 +7,7 @@
 global_settings { mm_per_unit Mm_Per_Unit max_trace_level 30 adc_bailout 1e-7 exposure 2 wavelengths { 580 } }
 Founding_Camera(Centre, View_Angle)
 
-Expect_Centre(580, 2e-4)
+Expect_Centre(580, 5e-5)
 expect {
   rotation_deg 580, 27008.17 within 0.01
   source "Kozlov & Debelov 2014: about 300 x 90 deg along the edge; 7.19 deg/mm, 0.0926283 um, 16 mm, x 75"

@@ -7,4 +7,4 @@
 global_settings { mm_per_unit Mm_Per_Unit max_trace_level 30 adc_bailout 1e-7 exposure 2 wavelengths { 580 } }
 Founding_Camera(Centre, View_Angle)
 
-Expect_Centre(580, 3e-4)
+Expect_Centre(580, 5e-5)

@@ -15,6 +15,6 @@ Founding_Camera(Corner_Target, 9)
 #declare Ray_In_X = Ray.x/Crystal_Index(580);
 expect {
   rotation_deg 580, Rotation_Deg_Per_Mm(580)*(Edge/2 - Corner_Target.x)/mm/Ray_In_X
-  within 0.2
+  within 0.001
   source "Chandrasekhar's rotation times the refracted chord up to the side face"
 }

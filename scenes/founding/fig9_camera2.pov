@@ -7,5 +7,5 @@ global_settings { mm_per_unit Mm_Per_Unit max_trace_level 30 adc_bailout 1e-7 ex
 Founding_Camera(Centre, View_Angle)
 
 #for (Lambda, 380, 780, 40)
-  Expect_Centre(Lambda, 5e-4)
+  Expect_Centre(Lambda, 1e-4)
 #end
