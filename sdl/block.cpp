@@ -83,12 +83,10 @@ void Parser::word_item(Block& b, Token token) {
       }
       plain = true;
       break;
-    case KeywordClass::channel: case KeywordClass::colour: {
-      const bool may_start = token.index <= static_cast<Symbol>(Keyword::k_blue);
-      plain = !may_start || !(starts_expression(after) ||
-                              after.keyword_class() == KeywordClass::channel);
+    case KeywordClass::channel:
+      plain = token.index > static_cast<Symbol>(Keyword::k_blue) || !starts_expression(after);
       break;
-    }
+    case KeywordClass::colour: break;
     case KeywordClass::float_function: case KeywordClass::other_function:
     case KeywordClass::string_function:
       plain = !after.is('(');

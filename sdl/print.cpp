@@ -5,6 +5,12 @@
 namespace nicol::sdl {
 namespace {
 
+// Words that would begin a colour if a number stood next to them.
+bool is_channel(const Item& item) {
+  const std::string* word = item.word();
+  return word && (*word == "red" || *word == "green" || *word == "blue");
+}
+
 class Printer {
  public:
   void items(const std::vector<Item>& items) {
@@ -12,7 +18,7 @@ class Printer {
     for (const Item& item : items) {
       // Without the comma `1 -1` would be 0, and `rgb 1 filter 2` one colour.
       const bool value_before = before && !before->word() && !before->block();
-      if (value_before && !item.block()) out += ',';
+      if ((value_before && !item.block()) || (before && is_channel(*before))) out += ',';
       const bool same_line = before && !item.word() && !item.block() && !before->block();
       if (same_line) out += ' ';
       else newline();
