@@ -162,7 +162,10 @@ void Parser::list_item(Block& b, const Token& open) {
   const std::vector<double> numbers = components();
   const std::string* before = b.items.empty() ? nullptr : b.items.back().word();
   if (before && *before == "matrix") {
-    if (numbers.size() != 12) throw Failure{open.where, "Expected '12 numbers', " + std::to_string(numbers.size()) + " found instead"};
+    if (numbers.size() != 12) {
+      throw Failure{open.where, "Expected '12 numbers', " + std::to_string(numbers.size()) +
+                                    " found instead"};
+    }
     Vector matrix;
     matrix.size = 12;
     for (std::size_t i = 0; i < 12; ++i) matrix.v[i] = numbers[i];

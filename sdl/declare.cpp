@@ -24,9 +24,10 @@ void Parser::declare_directive(bool local) {
     fail("undeclared identifier", name);
   }
   CellPtr element;
-  while (const auto* array = element ? std::get_if<ArrayPtr>(&element->value) : name.holds<ArrayPtr>()) {
-    if (!peek().is('[')) break;
+  const auto* array = name.holds<ArrayPtr>();
+  while (array && peek().is('[')) {
     element = subscripted(name, *array);
+    array = std::get_if<ArrayPtr>(&element->value);
   }
   Token equals = next_held(true);
   if (!equals.is('=')) fail("=", equals);

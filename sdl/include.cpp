@@ -63,7 +63,8 @@ void Parser::include_directive(const Token& token) {
     throw Failure{token.where, "Too many nested include files."};
   }
   const std::string path = name.size() < 4096 ? resolve(name) : "";
-  std::string why = "Cannot find file '" + name + "', even after trying to append file type extension.";
+  std::string why =
+      "Cannot find file '" + name + "', even after trying to append file type extension.";
   TokenFilePtr tokens;
   const auto known = files_.find(path);
   if (known != files_.end()) tokens = known->second;

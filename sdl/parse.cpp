@@ -84,7 +84,8 @@ void Parser::statement() {
     item.value = block(token);
   } else if (is_reserved(token)) {
     const Token after = next();
-    fail_with(after, "Missing { after '" + describe(token) + "', " + describe(after) + " found instead");
+    fail_with(after, "Missing { after '" + describe(token) + "', " + describe(after) +
+                         " found instead");
   } else {
     fail("object or directive", token);
   }

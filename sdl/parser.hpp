@@ -104,6 +104,8 @@ class Parser {
   const Token& peek_operator();  // what follows a complete operand: #declare and the like must wait
   void push_back(Token token) { pushed_.push_back(std::move(token)); }
   Token fetch();
+  bool run_directive(const Token& token, std::uint32_t at);
+  bool expand(Token& token);  // true: the token was a macro and is called now
   Token token_from(const Frame& frame, const Lexeme& lexeme) const;
   Token next_name();   // a word, not called if it is a macro
   Token next_held(bool expand);  // a directive that can wait stops it
@@ -132,7 +134,14 @@ class Parser {
   void trim_controls();
   enum class Skip : std::uint8_t { item, statement, directive };
   void recover(const Mark& mark, Skip skip);
+  struct Skipping {
+    Skip skip;
+    int groups, braces, braces_lost;  // open brackets; braces that were open from the start
+    bool moved;
+  };
   bool stops(const Token& token, Skip skip, bool moved);
+  bool ends(const Skipping& skipping, const Token& token);
+  bool pass(Skipping& skipping, const Token& token) const;
   Token raw_token();
 
   // directives.cpp

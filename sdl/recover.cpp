@@ -155,43 +155,48 @@ bool Parser::stops(const Token& token, Skip skip, bool moved) {
   return skip == Skip::item && moved && token.undeclared();
 }
 
+// Whether reading may go on at the token, which is not yet passed.
+bool Parser::ends(const Skipping& s, const Token& token) {
+  const bool macro = token.holds<MacroPtr>() != nullptr;
+  const bool in_group = s.groups > 0 && (token.is(',') || token.undeclared() || macro);
+  if (s.braces == s.braces_lost && token.kind == Kind::directive) return true;
+  if (s.braces != 0) return false;
+  if (!in_group && stops(token, s.skip, s.moved)) return true;
+  return !(in_group && macro) && stops(token, Skip::statement, s.moved);
+}
+
+// False once the token was the last one to pass.
+bool Parser::pass(Skipping& s, const Token& token) const {
+  s.moved = true;
+  if (token.is('{')) ++s.braces;
+  if (token.is('}')) --s.braces;
+  if (s.braces == 0 && (token.is(')') || token.is('>') || token.is(']'))) --s.groups;
+  if (s.braces == 0 && (token.is('(') || token.is('<') || token.is('['))) ++s.groups;
+  const bool last = s.braces <= 0 && token.is(';') && s.skip == Skip::directive;
+  s.braces = std::max(s.braces, 0);
+  return !last;
+}
+
 // Skips to where the next item, statement or directive may begin. Brackets that the failed one left
 // open are closed first, if they close: the sign of a new block ends them too.
 void Parser::recover(const Mark& to, Skip skip) {
   unwind(to);
-  int groups_open = groups_lost_;
-  const int braces_lost = braces_lost_;
+  Skipping s{skip, groups_lost_, braces_lost_, braces_lost_, false};
   groups_lost_ = braces_lost_ = 0;
-  const bool stuck = recovered_at_ == fetched_;
-  bool moved = false;
-  int braces = braces_lost;
-  for (;;) {
+  const bool stuck = recovered_at_ == fetched_;  // nothing was read since: one token must go
+  for (bool more = true; more;) {
     Frame& f = frame();
     const std::uint32_t before = f.position;
     const bool was_pushed = !pushed_.empty();
     if (!was_pushed && f.position >= f.end) break;
     Token token = raw_token();
-    if (token.kind == Kind::end) {
-      if (was_pushed) push_back(token);
-      break;
-    }
-    const bool macro = token.holds<MacroPtr>() != nullptr;
-    const bool in_group = groups_open > 0 && (token.is(',') || token.undeclared() || macro);
-    const bool new_thing = braces == 0 && !(in_group && macro) && stops(token, Skip::statement, moved);
-    const bool new_line = braces == braces_lost && token.kind == Kind::directive;
-    const bool stop = braces == 0 && !in_group && stops(token, skip, moved);
-    if ((moved || !stuck) && (stop || new_thing || new_line)) {
-      if (was_pushed) push_back(token);
+    const bool at_end = token.kind == Kind::end;
+    if (at_end || ((s.moved || !stuck) && ends(s, token))) {
+      if (was_pushed) push_back(std::move(token));
       else f.position = before;
       break;
     }
-    moved = true;
-    if (token.is('{')) ++braces;
-    if (token.is('}')) --braces;
-    if (token.is(')') || token.is('>') || token.is(']')) groups_open -= braces == 0 ? 1 : 0;
-    if (token.is('(') || token.is('[') || token.is('<')) groups_open += braces == 0 ? 1 : 0;
-    if (braces <= 0 && token.is(';') && skip == Skip::directive) break;
-    if (braces < 0) braces = 0;
+    more = pass(s, token);
   }
   trim_controls();
   recovered_at_ = fetched_;

@@ -120,25 +120,34 @@ Token Parser::fetch() {
     take_step();
     last_ = token.where;
     if (lexeme.kind == Kind::directive) {
-      const bool held = holding_;
-      holding_ = false;
-      directive(token, at);
-      holding_ = held;
-      if (!pushed_.empty()) return next();
+      if (run_directive(token, at)) return next();
       continue;
     }
     if (lexeme.kind == Kind::string) token.text = make_text(from.tokens->strings[lexeme.index]);
-    if (lexeme.kind == Kind::word && class_of(lexeme.index) == KeywordClass::none) {
-      token.cell = scope_.find(lexeme.index);
-      const auto* macro = token.holds<MacroPtr>();
-      if (macro && expand_macros_) {
-        call_macro(token, *macro);
-        continue;
-      }
-      if (!deprecated_.empty() && expand_macros_) read_deprecation(token);
-    }
+    if (lexeme.kind == Kind::word && expand(token)) continue;
     return token;
   }
+}
+
+// True if it has left a token to be read first.
+bool Parser::run_directive(const Token& token, std::uint32_t at) {
+  const bool held = holding_;
+  holding_ = false;
+  directive(token, at);
+  holding_ = held;
+  return !pushed_.empty();
+}
+
+bool Parser::expand(Token& token) {
+  if (class_of(token.index) != KeywordClass::none) return false;
+  token.cell = scope_.find(token.index);
+  const auto* macro = token.holds<MacroPtr>();
+  if (macro && expand_macros_) {
+    call_macro(token, *macro);
+    return true;
+  }
+  if (!deprecated_.empty() && expand_macros_) read_deprecation(token);
+  return false;
 }
 
 Token Parser::next_name() {
