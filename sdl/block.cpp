@@ -86,7 +86,9 @@ void Parser::word_item(Block& b, Token token) {
     case KeywordClass::channel:
       plain = token.index > static_cast<Symbol>(Keyword::k_blue) || !starts_expression(after);
       break;
-    case KeywordClass::colour: break;
+    case KeywordClass::colour:  // `assumed_gamma srgb` is no colour
+      plain = token.is(Keyword::k_srgb) && !starts_expression(after);
+      break;
     case KeywordClass::float_function: case KeywordClass::other_function:
     case KeywordClass::string_function:
       plain = !after.is('(');

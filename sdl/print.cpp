@@ -8,7 +8,8 @@ namespace {
 // Words that would begin a colour if a number stood next to them.
 bool is_channel(const Item& item) {
   const std::string* word = item.word();
-  return word && (*word == "red" || *word == "green" || *word == "blue");
+  return word && (*word == "red" || *word == "green" || *word == "blue" ||
+                  *word == "srgb");
 }
 
 class Printer {

@@ -72,6 +72,10 @@ TEST_CASE("filter belongs to a colour only where a number follows") {
   CHECK(*items.at(1).word() == "filter");
 }
 
+TEST_CASE("srgb alone is a word") {
+  CHECK(tree_of("a { gamma srgb b srgb 1 }", "a { gamma srgb, b rgb 1 }") == "same");
+}
+
 TEST_CASE("top level holds blocks only") {
   CHECK(said("foo") == "1: Expected 'object or directive', undeclared identifier 'foo' found instead\n");
   CHECK(said("3") == "1: Expected 'object or directive', float function 'float constant' found instead\n");

@@ -28,7 +28,8 @@ Vector random_vector() {
 }
 
 std::string random_word() {
-  return *rc::gen::element<std::string>("rotate", "box", "filter", "transmit", "all", "ior", "a_1", "min", "range", "red");
+  return *rc::gen::element<std::string>("rotate", "box", "filter", "transmit", "all", "ior", "a_1", "min", "range", "red",
+                                       "srgb");
 }
 
 Item random_item(int depth);
