@@ -36,7 +36,6 @@ struct Medium {
   Samples n;             // refractive index
   Samples k;             // extinction coefficient (0: transparent); absorb_per_mm = 4 pi k / lambda
   Samples rotation_deg_per_mm;  // of the plane of polarization; > 0 dextro: clockwise facing the source
-  bool circular_waves = false;  // trace the two circular eigenwaves n +- kappa instead of one ray
   std::string source;    // of the numbers
 };
 

@@ -121,18 +121,13 @@ class Bench {
   }
 
   // Crossed or parallel polars around an active plate pass cos^2 of its rotation (Malus 1809),
-  // wavelength by wavelength; here of the first light and the first medium that rotates.
+  // wavelength by wavelength; here of the first light.
   std::vector<double> malus_xyz(const Expectation& expectation) const {
-    const auto rotates = [](const Medium& medium) {
-      return std::any_of(medium.rotation_deg_per_mm.begin(), medium.rotation_deg_per_mm.end(),
-                         [](double r) { return r != 0; });
-    };
-    const auto medium = std::find_if(scene_.media.begin(), scene_.media.end(), rotates);
-    if (medium == scene_.media.end()) throw Unmeasurable("no medium of the scene rotates");
+    const Medium& medium = scene_.media[expectation.medium];
     std::vector<double> radiance = first_emission().radiance;
     for (std::size_t i = 0; i < radiance.size(); ++i) {
       const double cosine =
-          std::cos(medium->rotation_deg_per_mm[i] * expectation.length_mm * rad_per_deg);
+          std::cos(medium.rotation_deg_per_mm[i] * expectation.length_mm * rad_per_deg);
       radiance[i] *= cosine * cosine;
     }
     return to_vector(Observer(scene_.lambda_nm, scene_.weight_nm).xyz(radiance.data()));

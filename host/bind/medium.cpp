@@ -57,7 +57,6 @@ Medium make_medium(Context& context, const RawMedium& raw, Location where) {
   m.n = sample_index(context, index_of(raw), raw.index_where, raw.index ? "'index'" : "'ior'");
   m.rotation_deg_per_mm = rotation_samples(context, raw);
   m.k = extinction_samples(context, raw);
-  m.circular_waves = raw.circular_waves;
   return m;
 }
 
@@ -66,7 +65,6 @@ int index_of_equal(Context& context, Medium medium) {
   std::vector<double> key = medium.n;
   key.insert(key.end(), medium.k.begin(), medium.k.end());
   key.insert(key.end(), medium.rotation_deg_per_mm.begin(), medium.rotation_deg_per_mm.end());
-  key.push_back(medium.circular_waves);
   std::vector<Medium>& media = context.scene.media;
   const auto [at, is_new] = context.medium_of_values.emplace(std::move(key), media.size());
   if (is_new) media.push_back(std::move(medium));
@@ -177,8 +175,6 @@ Schema interior_schema(Context& context, RawMedium& raw) {
           bind_absorption(*c, "extinction", a, r->extinction, r->extinction_where);
         },
         "the coefficient k, in place of absorption or added to it"},
-       {"circular_waves", "b", [=](const Args& a) { r->circular_waves = a.numbers[0] != 0; },
-        "trace the two circular waves n +- kappa instead of one ray (off)"},
        {"source", "s", [=](const Args& a) { r->source = a.text; }, "where the numbers are from"},
        {"name", "s", [=](const Args& a) { r->name = a.text; }, "for messages"}},
       {{"%s of an interior is not rendered; 'absorption { }' dims by the path",

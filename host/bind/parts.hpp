@@ -81,7 +81,6 @@ struct RawMedium {
   RotationFormula rotation;
   AbsorptionFormula absorption, extinction;  // of extinction: the coefficient k in place of 1/mm
   Location index_where, rotation_where, absorption_where, extinction_where;
-  bool circular_waves = false;
   std::string name = "interior", source;
 };
 Schema interior_schema(Context& context, RawMedium& raw);

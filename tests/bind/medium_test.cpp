@@ -80,11 +80,9 @@ TEST_CASE("absorption becomes the extinction coefficient: k = a lambda / (4 pi)"
 }
 
 TEST_CASE("interior: the rest of its words") {
-  const Medium m = medium("ior 1.5 circular_waves name \"glass\" source \"a catalogue\"");
-  CHECK(m.circular_waves);
+  const Medium m = medium("ior 1.5 name \"glass\" source \"a catalogue\"");
   CHECK(m.name == "glass");
   CHECK(m.source == "a catalogue");
-  CHECK_FALSE(medium("ior 1.5 circular_waves off").circular_waves);
 }
 
 TEST_CASE("surroundings are vacuum unless said") {
