@@ -44,9 +44,9 @@ FUNCTION Path camera_path(PRIVATE const SceneView* view, real u, real v, PRIVATE
 FUNCTION void turn_to_picture(PRIVATE Gathered* sum, vec3 axis, vec3 picture_x, vec3 direction) {
   real c = dot3(axis, picture_x), s = dot3(axis, cross3(picture_x, direction));
   real c2 = c * c - s * s, s2 = lanes(2) * c * s;
-  real s1 = sum->s1;
-  sum->s1 = s1 * c2 - sum->s2 * s2;
-  sum->s2 = s1 * s2 + sum->s2 * c2;
+  real s1 = sum->stokes[1];
+  sum->stokes[1] = s1 * c2 - sum->stokes[2] * s2;
+  sum->stokes[2] = s1 * s2 + sum->stokes[2] * c2;
 }
 
 #endif

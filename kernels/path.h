@@ -14,11 +14,20 @@ typedef struct {
   int pinned;   // patch whose cell the ray enters next, without a way to go; -1: none
 } Path;
 
-// Stokes radiance in the axes of the path's start, and the weight that was cut off.
+// Stokes radiance in the axes of the path's start, and the weight that was cut off. `lost` is what rounding
+// took from the sums so far: a tree may bring 1e6 small terms (Kahan, Commun. ACM 8, 40 (1965)).
 typedef struct {
-  real s0, s1, s2, s3, cut_off;
+  real stokes[4], lost[4];
+  real cut_off;
   mask energy_off;  // a face gave R + T off 1
 } Gathered;
+
+FUNCTION void add_stokes(PRIVATE Gathered* sum, int s, real value) {
+  real term = value - sum->lost[s];
+  real total = sum->stokes[s] + term;
+  sum->lost[s] = (total - sum->stokes[s]) - term;
+  sum->stokes[s] = total;
+}
 
 FUNCTION vec3 second_axis(PRIVATE const Path* path) { return cross3(path->axis, path->ray.direction); }
 
@@ -26,23 +35,23 @@ FUNCTION vec3 second_axis(PRIVATE const Path* path) { return cross3(path->axis, 
 FUNCTION void gather_fields(PRIVATE const SceneView* view, real half_radiance, cplx a, cplx b, PRIVATE Gathered* sum) {
   real xx = half_radiance * norm2(a);
   if (!has(full_jones, view)) {
-    sum->s0 += xx;
-    sum->s1 += xx;
+    add_stokes(sum, 0, xx);
+    sum->stokes[1] = sum->stokes[0];  // what an analyzer passes is polarized along it
     return;
   }
   real yy = half_radiance * norm2(b);
   cplx xy = cmul(a, conj_of(b));
-  sum->s0 += xx + yy;
-  sum->s1 += xx - yy;
-  sum->s2 += lanes(2) * half_radiance * xy.re;
-  sum->s3 += lanes(2) * half_radiance * xy.im;  // > 0 right circular
+  add_stokes(sum, 0, xx + yy);
+  add_stokes(sum, 1, xx - yy);
+  add_stokes(sum, 2, lanes(2) * half_radiance * xy.re);
+  add_stokes(sum, 3, lanes(2) * half_radiance * xy.im);  // > 0 right circular
 }
 
 // Unpolarized radiance.
 FUNCTION void gather_unpolarized(PRIVATE const SceneView* view, PRIVATE const Path* path, real radiance,
                                  PRIVATE Gathered* sum) {
   if (!has(polarization, view)) {
-    sum->s0 += radiance * path->jones.e[0].re;
+    add_stokes(sum, 0, radiance * path->jones.e[0].re);
     return;
   }
   gather_fields(view, lanes(0.5) * radiance, path->jones.e[0], path->jones.e[1], sum);
@@ -58,7 +67,7 @@ FUNCTION void gather_light(PRIVATE const SceneView* view, PRIVATE const Path* pa
     PassingState state = passing_state(view, polarizer, path->ray.direction);
     real passed = radiance * state.amplitude * state.amplitude;
     if (!has(polarization, view)) {
-      sum->s0 += lanes(0.5) * passed * path->jones.e[0].re;
+      add_stokes(sum, 0, lanes(0.5) * passed * path->jones.e[0].re);
       return;
     }
     real me = dot3(state.axis, path->axis), mf = dot3(state.axis, second_axis(path));

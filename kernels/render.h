@@ -43,19 +43,18 @@ FUNCTION void render_item(GLOBAL const int* ints, GLOBAL const scalar* reals, GL
     path.jones = keep_lanes(&view, in_use, path.jones);
     vec3 axis = path.axis, direction = path.ray.direction;
     Gathered sum;
-    sum.s0 = sum.s1 = sum.s2 = sum.s3 = sum.cut_off = lanes(0);
+    for (int i = 0; i < 4; ++i) sum.stokes[i] = sum.lost[i] = lanes(0);
+    sum.cut_off = lanes(0);
     sum.energy_off = lanes(0) != lanes(0);
     segments += follow(&view, path, &stack, &sum, counters);
     turn_to_picture(&sum, axis, picture_x, direction);
     if (any_lane(sum.energy_off)) count_event(counters, COUNT_ENERGY);
-    if (any_lane(sum.s0 != sum.s0)) count_event(counters, COUNT_NAN);
-    real polarized2 = sum.s1 * sum.s1 + sum.s2 * sum.s2 + sum.s3 * sum.s3;
+    if (any_lane(sum.stokes[0] != sum.stokes[0])) count_event(counters, COUNT_NAN);
+    real polarized2 = lanes(0);
+    for (int i = 1; i < 4; ++i) polarized2 += sum.stokes[i] * sum.stokes[i];
     real slack = lanes(sizeof(scalar) == 8 ? 1e-12f : 1e-5f);
-    if (any_lane(polarized2 > sum.s0 * sum.s0 * (lanes(1) + slack))) count_event(counters, COUNT_STOKES);
-    total[0] += sum.s0;
-    total[1] += sum.s1;
-    total[2] += sum.s2;
-    total[3] += sum.s3;
+    if (any_lane(polarized2 > sum.stokes[0] * sum.stokes[0] * (lanes(1) + slack))) count_event(counters, COUNT_STOKES);
+    for (int i = 0; i < 4; ++i) total[OUT_STOKES + i] += sum.stokes[i];
     total[OUT_CUT_OFF] += sum.cut_off;
   }
   for (int i = 0; i < OUT_COMPONENTS; ++i) store_lanes(total[i], out + i * LANES);
