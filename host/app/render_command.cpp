@@ -89,7 +89,7 @@ void tell(const std::vector<Target>& targets, const Frame& frame, const RenderRe
     const std::string suffix = std::filesystem::path(target.path).extension().string();
     if (suffix != ".png" && suffix != ".PNG") continue;
     const std::size_t clipped = clipped_pixels(frame);
-    fmt::print(stderr, "{}: {} pixels clipped ({:.2g} %)\n", target.path, clipped,
+    fmt::print(stderr, "{}: {} pixels clipped ({:.1f} %)\n", target.path, clipped,
                100.0 * static_cast<double>(clipped) / static_cast<double>(frame.plane()));
   }
 }

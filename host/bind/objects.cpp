@@ -231,6 +231,8 @@ void add_object(Context& context, const sdl::Block& block, const Chain* outer) {
     if (raw.sound) context.error(block.where, "Expected an object in 'object', } found instead");
   } else if (raw.sound) {
     add_leaf(context, &chain);
+  } else if (const sdl::Block* interior = nearest(&chain, &RawObject::interior)) {
+    bind_medium(context, *interior);  // the errors of its medium are told as well
   }
 }
 
