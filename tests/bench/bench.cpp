@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <functional>
 #include <string>
 
@@ -129,13 +128,15 @@ void bench_features(Device& device, const LoadedScene& loaded, const Settings& s
     if (!row.on && !layout) variants.push_back(device_variant("+ " + row.name, device, loaded, mask | bit, settings, {}));
     bit <<= 1;
   }
-  run_in_turn(variants, std::max(3, settings.rounds / 2));
+  run_in_turn(variants, settings.rounds);
   fmt::print("\n{:<32}{:>16}{:>12}\n", "feature on though not needed", "ns/seg (CPU)", "cost");
   for (const Variant& v : variants)
     fmt::print("{:<32}{:>16.2f}{:>+11.1f}%\n", v.name, median(v.cpu_ns), 100 * (ratio(v, variants[0]) - 1));
 }
 
-void bench_tiles(Device& device, const LoadedScene& loaded, const Settings& settings) {
+// On a picture large enough for tens of tiles.
+void bench_tiles(Device& device, const LoadedScene& loaded, Settings settings) {
+  settings.size *= 3;
   RenderOptions tiled, whole;
   whole.tile_seconds = 1e6;
   std::vector<Variant> variants;
@@ -144,7 +145,7 @@ void bench_tiles(Device& device, const LoadedScene& loaded, const Settings& sett
   run_in_turn(variants, settings.rounds);
   std::vector<double> wall;
   for (std::size_t i = 0; i < variants[0].wall_s.size(); ++i) wall.push_back(variants[1].wall_s[i] / variants[0].wall_s[i]);
-  fmt::print("\ntiles against one launch: {:+.1f} % CPU, {:+.1f} % wall\n", 100 * (ratio(variants[1], variants[0]) - 1),
+  fmt::print("\n{0}x{0} in tiles against one launch: {1:+.1f} % CPU, {2:+.1f} % wall\n", settings.size, 100 * (ratio(variants[1], variants[0]) - 1),
              100 * (median(wall) - 1));
 }
 
@@ -181,14 +182,21 @@ int run(const Settings& settings) {
 // nicol_bench [--scene FILE] [--size PIXELS] [--rounds N] [--no-features]
 int main(int argc, char** argv) {
   nicol::bench::Settings settings;
-  if (argc > 1 && !std::strcmp(argv[argc - 1], "--no-features")) {
-    settings.features = false;
-    --argc;
-  }
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (!std::strcmp(argv[i], "--scene")) settings.scene = argv[i + 1];
-    if (!std::strcmp(argv[i], "--size")) settings.size = std::max(16, std::atoi(argv[i + 1]));
-    if (!std::strcmp(argv[i], "--rounds")) settings.rounds = std::max(1, std::atoi(argv[i + 1]));
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const char* value = i + 1 < argc ? argv[i + 1] : "";
+    if (word == "--no-features") {
+      settings.features = false;
+      continue;
+    }
+    if (word == "--scene") settings.scene = value;
+    else if (word == "--size") settings.size = std::max(16, std::atoi(value));
+    else if (word == "--rounds") settings.rounds = std::max(1, std::atoi(value));
+    else {
+      fmt::print(stderr, "nicol_bench: unknown option {}\n", word);
+      return 1;
+    }
+    ++i;
   }
   try {
     return nicol::bench::run(settings);
