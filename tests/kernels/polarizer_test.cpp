@@ -122,7 +122,7 @@ TEST_CASE("a calcite plate at any angle: both faces as 4x4 boundary problems; th
       const Vec3 n{0, 0, d.z < 0 ? -1.0 : 1.0};
       const double q = std::hypot(d.x, d.y);
       const Vec3 t = q > 0 ? Vec3{d.x / q, d.y / q, 0} : Vec3{1, 0, 0}, u = cross(n, t), c = cross(normal, a);
-      const UniaxialFace face{1.6584, 1.4864, q, {dot(c, t), dot(c, u), 0}};
+      const UniaxialFace face{1.6584, 1.4864, q, std::fabs(d.z), {dot(c, t), dot(c, u), 0}};
       const auto in = into_ordinary(face), out = out_of_ordinary(face);
       // second face: its waves are those of the first, reversed, up to a sign of the ordinary field
       const Vec3 p = cross(u, d);

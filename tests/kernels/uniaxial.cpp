@@ -20,8 +20,8 @@ double flux(const Wave& w) {
   return 0.5 * std::real(w.e[0] * std::conj(w.h[1]) - w.e[1] * std::conj(w.h[0]));
 }
 
-Wave vacuum_wave(double q, bool forward, bool s) {
-  const Vector k{q, 0, (forward ? 1.0 : -1.0) * std::sqrt(1 - q * q)}, u{0, 1, 0};
+Wave vacuum_wave(double q, double p, bool forward, bool s) {
+  const Vector k{q, 0, (forward ? p : -p)}, u{0, 1, 0};
   const Vector other = cross(k, u);
   if (s) return {u, other};
   return {{-other[0], -other[1], -other[2]}, u};  // h = u, E = -k x h
@@ -84,10 +84,10 @@ std::array<Complex, 4> match(const Wave& incident, const std::array<Wave, 4>& ou
 
 std::array<Complex, 2> into_ordinary(const UniaxialFace& face) {
   const std::array<Wave, 4> out{crystal_wave(face, true, true), crystal_wave(face, true, false),
-                                vacuum_wave(face.q, false, true), vacuum_wave(face.q, false, false)};
+                                vacuum_wave(face.q, face.p, false, true), vacuum_wave(face.q, face.p, false, false)};
   std::array<Complex, 2> tau;
   for (const bool s : {true, false}) {
-    const Wave incident = vacuum_wave(face.q, true, s);
+    const Wave incident = vacuum_wave(face.q, face.p, true, s);
     tau[s ? 0 : 1] = match(incident, out)[0] * std::sqrt(flux(out[0]) / flux(incident));
   }
   return tau;
@@ -95,7 +95,7 @@ std::array<Complex, 2> into_ordinary(const UniaxialFace& face) {
 
 std::array<Complex, 2> out_of_ordinary(const UniaxialFace& face) {
   const Wave incident = crystal_wave(face, true, true);
-  const std::array<Wave, 4> out{vacuum_wave(face.q, true, true), vacuum_wave(face.q, true, false),
+  const std::array<Wave, 4> out{vacuum_wave(face.q, face.p, true, true), vacuum_wave(face.q, face.p, true, false),
                                 crystal_wave(face, false, true), crystal_wave(face, false, false)};
   const std::array<Complex, 4> amplitude = match(incident, out);
   return {amplitude[0] * std::sqrt(flux(out[0]) / flux(incident)), amplitude[1] * std::sqrt(flux(out[1]) / flux(incident))};

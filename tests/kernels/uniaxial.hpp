@@ -10,6 +10,7 @@ namespace nicol::test {
 struct UniaxialFace {
   double n_o, n_e;
   double q;                    // tangential wave vector, along t; vacuum index 1
+  double p;                    // cosine of incidence: given, for 1 - q^2 loses its digits at grazing
   std::array<double, 3> axis;  // optic axis in (t, u, N), N from vacuum into the crystal
 };
 
