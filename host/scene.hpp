@@ -35,7 +35,7 @@ struct Medium {
   Location where;
   Samples n;             // refractive index
   Samples k;             // extinction coefficient (0: transparent); absorb_per_mm = 4 pi k / lambda
-  Samples rotation_deg_per_mm;  // of the plane of polarization; > 0 dextro: clockwise facing the source
+  Samples rotation_deg_per_mm;  // of the plane of polarization; > 0 dextro
   std::string source;    // of the numbers
 };
 

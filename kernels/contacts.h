@@ -95,11 +95,7 @@ FUNCTION lane_int patch_behind_sheet(PRIVATE const SceneView* view, PRIVATE cons
       GLOBAL const scalar* plane = view->face_reals + face * FACE_REALS;
       if (face != record[PATCH_FACE]) on = on & (dot3(broadcast(plane), point_there) <= lanes(plane[3]));
     }
-    on = inside_edges(view, record[PATCH_FIRST_EDGE], record[PATCH_EDGE_COUNT], point_there, on);
-    if (has(discs, view) && record[PATCH_HAS_DISC]) {
-      GLOBAL const scalar* reals = view->patch_reals + i * PATCH_REALS;
-      on = on & inside_ring(point_there, broadcast(reals + PATCH_DISC_CENTRE), reals[PATCH_RADIUS2], reals[PATCH_HOLE2]);
-    }
+    on = inside_patch(view, i, point_there, on);
     found = pick(on, lane_ints(i), found);
   }
   return found;

@@ -151,19 +151,25 @@ FUNCTION Hit next_hit(PRIVATE const SceneView* view, PRIVATE const Ray* ray) {
   return hit;
 }
 
+// Where a point on the plane of a patch's face lies inside the patch. Position from the centre of its cell.
+FUNCTION mask inside_patch(PRIVATE const SceneView* view, int patch, vec3 point, mask so_far) {
+  GLOBAL const int* record = view->patches + patch * PATCH_INTS;
+  so_far = inside_edges(view, record[PATCH_FIRST_EDGE], record[PATCH_EDGE_COUNT], point, so_far);
+  if (has(discs, view) && record[PATCH_HAS_DISC]) {
+    GLOBAL const scalar* reals = view->patch_reals + patch * PATCH_REALS;
+    so_far = so_far & inside_ring(point, broadcast(reals + PATCH_DISC_CENTRE), reals[PATCH_RADIUS2], reals[PATCH_HOLE2]);
+  }
+  return so_far;
+}
+
 // The patch under a point on the faces in `face`, -1 where there is none. Position from the cell's centre.
 FUNCTION lane_int patch_under(PRIVATE const SceneView* view, int cell, vec3 point, lane_int face) {
   lane_int found = lane_ints(-1);
   int first = cell_of(view, cell)[CELL_FIRST_PATCH], count = cell_of(view, cell)[CELL_PATCH_COUNT];
   for (int i = first; i < first + count; ++i) {
-    GLOBAL const int* record = view->patches + i * PATCH_INTS;
-    mask on = face == lane_ints(record[PATCH_FACE]);
+    mask on = face == lane_ints(view->patches[i * PATCH_INTS + PATCH_FACE]);
     if (!any_lane(on)) continue;
-    on = inside_edges(view, record[PATCH_FIRST_EDGE], record[PATCH_EDGE_COUNT], point, on);
-    if (has(discs, view) && record[PATCH_HAS_DISC]) {
-      GLOBAL const scalar* reals = view->patch_reals + i * PATCH_REALS;
-      on = on & inside_ring(point, broadcast(reals + PATCH_DISC_CENTRE), reals[PATCH_RADIUS2], reals[PATCH_HOLE2]);
-    }
+    on = inside_patch(view, i, point, on);
     found = pick(on & (found < lane_ints(0)), lane_ints(i), found);
   }
   return found;

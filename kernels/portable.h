@@ -13,22 +13,18 @@
 #define JOIN_(a, b) a##b
 #define JOIN(a, b) JOIN_(a, b)
 
-#ifdef __OPENCL_C_VERSION__
 #ifdef REAL_DOUBLE
+#ifdef __OPENCL_C_VERSION__
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
-typedef double scalar;
-typedef long scalar_int;
+#endif
 #define SCALAR_NAME double
 #define SCALAR_INT_NAME long
 #else
-typedef float scalar;
-typedef int scalar_int;
 #define SCALAR_NAME float
 #define SCALAR_INT_NAME int
 #endif
-#define GLOBAL __global
-#define PRIVATE __private
-#define FUNCTION static inline
+typedef SCALAR_NAME scalar;
+typedef SCALAR_INT_NAME scalar_int;
 #if LANES == 1
 typedef scalar real;
 typedef int mask;
@@ -36,8 +32,13 @@ typedef int lane_int;
 #define any_lane(m) (m)
 #define load_lanes(p) (*(p))
 #define store_lanes(v, p) (*(p) = (v))
-#define to_lane_int(m) (m)
-#else
+#endif
+
+#ifdef __OPENCL_C_VERSION__
+#define GLOBAL __global
+#define PRIVATE __private
+#define FUNCTION static inline
+#if LANES > 1
 typedef JOIN(SCALAR_NAME, LANES) real;
 typedef JOIN(SCALAR_INT_NAME, LANES) mask;
 typedef JOIN(SCALAR_INT_NAME, LANES) lane_int;
@@ -56,23 +57,10 @@ typedef uint event_count;
 #else  // C++17
 #include <cmath>
 #include <cstddef>
-#ifdef REAL_DOUBLE
-typedef double scalar;
-typedef long scalar_int;
-#else
-typedef float scalar;
-typedef int scalar_int;
-#endif
 #define GLOBAL
 #define PRIVATE
 #define FUNCTION static inline
 #if LANES == 1
-typedef scalar real;
-typedef int mask;
-typedef int lane_int;
-#define any_lane(m) (m)
-#define load_lanes(p) (*(p))
-#define store_lanes(v, p) (*(p) = (v))
 FUNCTION real sqrt_of(real x) { return std::sqrt(x); }
 FUNCTION real abs_of(real x) { return std::fabs(x); }
 FUNCTION real rint_of(real x) { return std::rint(x); }

@@ -8,8 +8,7 @@
 
 namespace nicol {
 
-// Stokes radiance per nm seen by the receiver: x to the right of the picture, y up; S1 > 0 horizontal,
-// S2 > 0 at +45 deg (counter-clockwise), S3 > 0 right circular (clockwise facing the source).
+// Stokes radiance per nm as the receiver sees it, in the conventions of kernels/README.md.
 struct Frame {
   int width = 0, height = 0;
   std::vector<double> lambda_nm;

@@ -29,7 +29,7 @@ TEST_CASE("lanes change nothing but the order of sums") {
   for (int lanes : {4, 8, 16}) {
     CAPTURE(lanes);
     const auto many = take(setup, setup.loaded->features.mask, with(lanes, false), 32);
-    CHECK(difference(one, many) < 2e-6);
+    CHECK(difference(one, many) <= 1.2e-7);   // the last bit of a float at most: sums are compensated
     CHECK(one.report.segments == many.report.segments);
   }
 }
@@ -54,7 +54,7 @@ TEST_CASE("lanes over pixels draw what lanes over wavelengths draw") {
     if (row.name == "lanes_over_pixels") over_pixels = bit;
     bit <<= 1;
   }
-  CHECK(difference(take(setup, mask, with(8, false), 32), take(setup, mask | over_pixels, with(8, false), 32)) < 2e-6);
+  CHECK(difference(take(setup, mask, with(8, false), 32), take(setup, mask | over_pixels, with(8, false), 32)) <= 1.2e-7);
 }
 
 TEST_CASE("the C++ compiler draws the picture that OpenCL draws") {
