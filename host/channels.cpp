@@ -13,8 +13,8 @@ bool constant(const Samples& values) {
 bool transport_is_colourless(const Scene& scene) {
   for (const Medium& medium : scene.media) {
     // a constant extinction coefficient still absorbs by wavelength
-    if (!constant(medium.n) || !constant(medium.rotation_deg_per_mm)) return false;
-    if (std::any_of(medium.k.begin(), medium.k.end(), [](double k) { return k != 0; })) return false;
+    if (!constant(medium.n[0]) || !constant(medium.rotation_deg_per_mm)) return false;
+    if (std::any_of(medium.k[0].begin(), medium.k[0].end(), [](double k) { return k != 0; })) return false;
   }
   return std::all_of(scene.polarizers.begin(), scene.polarizers.end(), [](const Polarizer& p) {
     return p.kind != Polarizer::Kind::calcite || (constant(p.n_o) && constant(p.n_e));

@@ -72,7 +72,7 @@ void decide_media(const Scene& scene, Decision& d) {
     if (!object.medium) continue;
     const Medium& medium = scene.media[*object.medium];
     const std::string where = "medium '" + medium.name + "' of the " + object.kind + at(object.where);
-    if (any_nonzero(medium.k)) d.call(FEATURE_absorption, where);
+    if (any_nonzero(medium.k[0])) d.call(FEATURE_absorption, where);
     if (!any_nonzero(medium.rotation_deg_per_mm)) continue;
     if (d.on(FEATURE_polarization)) {
       d.call(FEATURE_rotation, where);
@@ -80,7 +80,7 @@ void decide_media(const Scene& scene, Decision& d) {
       d.leave(FEATURE_rotation, "no polarization to turn");
     }
   }
-  if (any_nonzero(scene.media.front().k)) d.call(FEATURE_absorption, "the surroundings");
+  if (any_nonzero(scene.media.front().k[0])) d.call(FEATURE_absorption, "the surroundings");
 }
 
 void decide_shapes(const Scene& scene, const Geometry& geometry, Decision& d) {

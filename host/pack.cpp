@@ -112,20 +112,20 @@ class Packer {
   void pack_media() {
     header(HEADER_MEDIA_AT) = ints_here();
     for (const Medium& medium : scene_.media) {
-      const std::size_t count = medium.n.size();
+      const std::size_t count = medium.n[0].size();
       Samples absorb(count), hi(count), lo(count);
       bool absorbs = false, rotates = false;
       for (std::size_t i = 0; i < count; ++i) {
         const double lambda_mm = scene_.lambda_nm[i] * 1e-6;
-        absorb[i] = 4 * pi * medium.k[i] / lambda_mm;
+        absorb[i] = 4 * pi * medium.k[0][i] / lambda_mm;
         const double turns = medium.rotation_deg_per_mm[i] / 360;
         hi[i] = static_cast<float>(turns);
         lo[i] = turns - hi[i];
-        absorbs = absorbs || medium.k[i] != 0;
+        absorbs = absorbs || medium.k[0][i] != 0;
         rotates = rotates || medium.rotation_deg_per_mm[i] != 0;
       }
-      const int first = transport_row(medium.n);
-      transport_row(medium.k);
+      const int first = transport_row(medium.n[0]);
+      transport_row(medium.k[0]);
       transport_row(absorb);
       transport_row(hi);
       transport_row(lo);
@@ -134,8 +134,8 @@ class Packer {
     header(HEADER_DELTA_ROW) = static_cast<int>(out_.tables.size()) / out_.stride;
     for (const Medium& one : scene_.media) {
       for (const Medium& two : scene_.media) {
-        Samples delta(one.n.size());
-        for (std::size_t i = 0; i < delta.size(); ++i) delta[i] = (two.n[i] - one.n[i]) * (two.n[i] + one.n[i]);
+        Samples delta(one.n[0].size());
+        for (std::size_t i = 0; i < delta.size(); ++i) delta[i] = (two.n[0][i] - one.n[0][i]) * (two.n[0][i] + one.n[0][i]);
         transport_row(delta);
       }
     }

@@ -30,13 +30,28 @@ struct Affine {
 using Samples = std::vector<double>;
 
 // ---- media ----
+// Right-handed orthonormal axes of a medium's dielectric tensor, in the world: columns of its matrix.
+using OpticFrame = std::array<Vec3, 3>;
+
+// Isotropic, uniaxial (principal values 0 and 1 are the ordinary ones, axis 2 is the optic axis) or biaxial.
+// A medium belongs to one orientation: the same crystal turned is another medium.
 struct Medium {
+  enum class Symmetry { isotropic, uniaxial, biaxial };
   std::string name;      // the identifier or "interior", for messages
   Location where;
-  Samples n;             // refractive index
-  Samples k;             // extinction coefficient (0: transparent); absorb_per_mm = 4 pi k / lambda
-  Samples rotation_deg_per_mm;  // of the plane of polarization; > 0 dextro
+  Symmetry symmetry = Symmetry::isotropic;
+  std::array<Samples, 3> n;  // principal refractive indices along the axes of `frame`; isotropic: all equal
+  std::array<Samples, 3> k;  // extinction coefficients (0: transparent); absorb_per_mm = 4 pi k / lambda
+  Samples rotation_deg_per_mm;  // isotropic media: of the plane of polarization; > 0 dextro; else all 0
+  // Optical activity of anisotropic media: g11 g22 g33 g23 g13 g12 on the axes of `frame`,
+  // D = eps E + i g(s) s x E with g(s) = g_ij s_i s_j, so that light along s turns by pi g(s)/(n lambda),
+  // > 0 dextro. All empty: not active.
+  std::array<Samples, 6> gyration;
+  std::vector<OpticFrame> frame;  // one for all wavelengths, or one per wavelength
   std::string source;    // of the numbers
+
+  bool is_active() const { return !gyration[0].empty(); }
+  const OpticFrame& frame_at(std::size_t i) const { return frame[frame.size() == 1 ? 0 : i]; }
 };
 
 // ---- polarizers ----

@@ -87,7 +87,7 @@ std::optional<Chord> first_chord(const Scene& scene, const Geometry& geometry,
   if (first < 0) return std::nullopt;
   const Cell& cell = geometry.cells[first];
   const double n1_over_n2 =
-      scene.media[around.medium].n[lambda] / scene.media[cell.medium].n[lambda];
+      scene.media[around.medium].n[0][lambda] / scene.media[cell.medium].n[0][lambda];
   const auto inside =
       refract(ray.direction, geometry.faces[nearest.enter_face].plane.normal, n1_over_n2);
   if (!inside) return std::nullopt;

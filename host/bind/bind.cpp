@@ -28,11 +28,12 @@ void bind_settings(Context& context, const sdl::Document& document) {
 void make_vacuum(Scene& scene) {
   Medium vacuum;
   vacuum.name = "vacuum";
-  vacuum.n.assign(scene.lambda_nm.size(), 1.0);
-  vacuum.k.assign(scene.lambda_nm.size(), 0.0);
-  vacuum.rotation_deg_per_mm = vacuum.k;
+  vacuum.n.fill(Samples(scene.lambda_nm.size(), 1.0));
+  vacuum.k.fill(Samples(scene.lambda_nm.size(), 0.0));
+  vacuum.rotation_deg_per_mm = vacuum.k[0];
+  vacuum.frame = {OpticFrame{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
   scene.media.push_back(vacuum);
-  scene.sky = vacuum.k;
+  scene.sky = vacuum.k[0];
 }
 
 Schema scene_schema(Context& context, RawScene& raw) {

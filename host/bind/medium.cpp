@@ -54,16 +54,17 @@ Medium make_medium(Context& context, const RawMedium& raw, Location where) {
   m.name = raw.name;
   m.where = where;
   m.source = raw.source;
-  m.n = sample_index(context, index_of(raw), raw.index_where, raw.index ? "'index'" : "'ior'");
+  m.n.fill(sample_index(context, index_of(raw), raw.index_where, raw.index ? "'index'" : "'ior'"));
   m.rotation_deg_per_mm = rotation_samples(context, raw);
-  m.k = extinction_samples(context, raw);
+  m.k.fill(extinction_samples(context, raw));
+  m.frame = {OpticFrame{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
   return m;
 }
 
 // Media of equal values are one, so that many objects share few.
 int index_of_equal(Context& context, Medium medium) {
-  std::vector<double> key = medium.n;
-  key.insert(key.end(), medium.k.begin(), medium.k.end());
+  std::vector<double> key = medium.n[0];
+  key.insert(key.end(), medium.k[0].begin(), medium.k[0].end());
   key.insert(key.end(), medium.rotation_deg_per_mm.begin(), medium.rotation_deg_per_mm.end());
   std::vector<Medium>& media = context.scene.media;
   const auto [at, is_new] = context.medium_of_values.emplace(std::move(key), media.size());

@@ -20,8 +20,8 @@ struct Slab {
     scene.lambda_nm = {589};
     scene.weight_nm = {1};
     scene.media.resize(2);
-    scene.media[0].n = {1};
-    scene.media[1].n = {n};
+    scene.media[0].n.fill({1});
+    scene.media[1].n.fill({n});
     scene.camera.location = {0, 100, 0};
     scene.camera.direction = {0, -1, 0};
     scene.camera.right = {2, 0, 0};

@@ -33,8 +33,8 @@ TestScene::TestScene(std::vector<double> lambda_nm) {
 int TestScene::add_medium(double n, double k, double rotation_deg_per_mm) {
   Medium medium;
   const std::size_t count = scene.lambda_nm.size();
-  medium.n.assign(count, n);
-  medium.k.assign(count, k);
+  medium.n.fill(Samples(count, n));
+  medium.k.fill(Samples(count, k));
   medium.rotation_deg_per_mm.assign(count, rotation_deg_per_mm);
   scene.media.push_back(medium);
   return static_cast<int>(scene.media.size()) - 1;
