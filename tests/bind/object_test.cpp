@@ -116,8 +116,8 @@ TEST_CASE("union lends its transforms and its interior") {
                              " translate y" +
                              glass + "}");
   REQUIRE(b.scene.objects.size() == 2);
-  CHECK(b.scene.media.at(*b.scene.objects[0].medium).n[0] == 1.5);
-  CHECK(b.scene.media.at(*b.scene.objects[1].medium).n[0] == 2);
+  CHECK(b.scene.media.at(*b.scene.objects[0].medium).n[0][0] == 1.5);
+  CHECK(b.scene.media.at(*b.scene.objects[1].medium).n[0][0] == 2);
   check_near(transform_point(b.scene.objects[1].transforms, {0, 0, 0}), {50, 10, 0});
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("material { interior } is understood, texture named once") {
                 "box { 2, 3 texture { pigment { rgb 1 } }" +
                 glass + "}");
   CHECK(b.count(sdl::Severity::warning) == 1);
-  CHECK(b.scene.media.at(*b.scene.objects.at(0).medium).n[0] == 1.7);
+  CHECK(b.scene.media.at(*b.scene.objects.at(0).medium).n[0][0] == 1.7);
 }
 
 TEST_CASE("equal media are one") {
