@@ -12,9 +12,15 @@ bool constant(const Samples& values) {
 
 bool transport_is_colourless(const Scene& scene) {
   for (const Medium& medium : scene.media) {
-    // a constant extinction coefficient still absorbs by wavelength
-    if (!constant(medium.n[0]) || !constant(medium.rotation_deg_per_mm)) return false;
-    if (std::any_of(medium.k[0].begin(), medium.k[0].end(), [](double k) { return k != 0; })) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!constant(medium.n[axis])) return false;
+      // a constant extinction coefficient still absorbs by wavelength
+      if (std::any_of(medium.k[axis].begin(), medium.k[axis].end(), [](double k) { return k != 0; })) return false;
+    }
+    // so does the retardance between two waves that add as amplitudes
+    const bool crystal = medium.symmetry != Medium::Symmetry::isotropic && scene.settings.polarization;
+    if (crystal && (scene.settings.coherence || medium.is_active() || medium.frame.size() > 1)) return false;
+    if (!constant(medium.rotation_deg_per_mm)) return false;
   }
   return std::all_of(scene.polarizers.begin(), scene.polarizers.end(), [](const Polarizer& p) {
     return p.kind != Polarizer::Kind::calcite || (constant(p.n_o) && constant(p.n_e));

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "host/channels.hpp"
+#include "host/crystal_rows.hpp"
+#include "kernels/waves_kinds.h"
 
 namespace nicol {
 namespace {
@@ -67,12 +69,43 @@ void decide_light(const Scene& scene, Decision& d) {
   if (scene.camera.orthographic) d.call(FEATURE_orthographic, "camera" + at(scene.camera.where));
 }
 
+// Crystals are crystals only where light has a polarization.
+bool is_crystal(const Scene& scene, const Medium& medium) {
+  return scene.settings.polarization && waves_of(medium) != WAVES_ISOTROPIC;
+}
+
+void decide_crystal(const Scene& scene, const Medium& medium, const std::string& where, Decision& d) {
+  if (waves_of(medium) == WAVES_ISOTROPIC) return;
+  if (!scene.settings.polarization) {
+    d.leave(FEATURE_birefringence, "no polarization: crystals are taken by their mean index");
+    return;
+  }
+  d.call(FEATURE_birefringence, where);
+  if (waves_of(medium) == WAVES_GENERAL) d.call(FEATURE_general_waves, where);
+  if (medium.is_active()) d.call(FEATURE_gyration, where);
+  for (const Samples& k : medium.k)
+    if (any_nonzero(k)) d.call(FEATURE_pleochroism, where);
+  if (scene.settings.coherence) {
+    d.call(FEATURE_coherent_waves, "the two waves of " + where);
+  } else {
+    d.leave(FEATURE_coherent_waves, "the scene says `coherence off`");
+  }
+  if (medium.symmetry != Medium::Symmetry::biaxial) return;
+  if (scene.settings.conical_rays > 0) {
+    d.call(FEATURE_conical_rays, std::to_string(scene.settings.conical_rays) + " `conical_rays`, " + where);
+  } else {
+    d.leave(FEATURE_conical_rays, "the scene asks for no `conical_rays`");
+  }
+}
+
 void decide_media(const Scene& scene, Decision& d) {
   for (const Object& object : scene.objects) {
     if (!object.medium) continue;
     const Medium& medium = scene.media[*object.medium];
     const std::string where = "medium '" + medium.name + "' of the " + object.kind + at(object.where);
-    if (any_nonzero(medium.k[0])) d.call(FEATURE_absorption, where);
+    decide_crystal(scene, medium, where, d);
+    const bool absorbs = any_nonzero(medium.k[0]) || any_nonzero(medium.k[1]) || any_nonzero(medium.k[2]);
+    if (absorbs && !is_crystal(scene, medium)) d.call(FEATURE_absorption, where);
     if (!any_nonzero(medium.rotation_deg_per_mm)) continue;
     if (d.on(FEATURE_polarization)) {
       d.call(FEATURE_rotation, where);

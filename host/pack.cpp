@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "host/channels.hpp"
+#include "host/crystal_rows.hpp"
 #include "kernels/abi.h"
 
 namespace nicol {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
+double length(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 Vec3 minus(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 class Packer {
@@ -92,8 +94,13 @@ class Packer {
     add(camera.direction);
     add(camera.right);
     add(camera.up);
+    const double pixel = std::sqrt(length(camera.right) / out_.width * length(camera.up) / out_.height);
+    const double per_mm = camera.orthographic ? 0 : pixel / length(camera.direction);
+    out_.reals.insert(out_.reals.end(), {camera.orthographic ? pixel : 0, per_mm});
+    header(HEADER_CONICAL_RAYS) = scene_.settings.conical_rays;
     header(HEADER_SETTING_REALS) = reals_here();
-    out_.reals.push_back(scene_.settings.adc_bailout);
+    const double spread = scene_.settings.conical_spread_rad;
+    out_.reals.insert(out_.reals.end(), {scene_.settings.adc_bailout, spread > 0 ? spread : std::max(per_mm, 1e-5)});
   }
 
   // The scene's emissions, and last a black one for the back of a one-sided luminous face.
@@ -109,36 +116,57 @@ class Packer {
     out_.ints.insert(out_.ints.end(), {row({0.0}), -1, 0});
   }
 
-  void pack_media() {
-    header(HEADER_MEDIA_AT) = ints_here();
-    for (const Medium& medium : scene_.media) {
-      const std::size_t count = medium.n[0].size();
-      Samples absorb(count), hi(count), lo(count);
-      bool absorbs = false, rotates = false;
-      for (std::size_t i = 0; i < count; ++i) {
-        const double lambda_mm = scene_.lambda_nm[i] * 1e-6;
-        absorb[i] = 4 * pi * medium.k[0][i] / lambda_mm;
-        const double turns = medium.rotation_deg_per_mm[i] / 360;
-        hi[i] = static_cast<float>(turns);
-        lo[i] = turns - hi[i];
-        absorbs = absorbs || medium.k[0][i] != 0;
-        rotates = rotates || medium.rotation_deg_per_mm[i] != 0;
-      }
-      const int first = transport_row(medium.n[0]);
-      transport_row(medium.k[0]);
-      transport_row(absorb);
-      transport_row(hi);
-      transport_row(lo);
-      out_.ints.insert(out_.ints.end(), {first, absorbs, rotates});
+  // Rows of a medium that is isotropic or taken as such; what a crystal adds comes after.
+  int pack_medium(const Medium& medium) {
+    const std::size_t count = medium.n[0].size();
+    Samples absorb(count), hi(count), lo(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      absorb[i] = 4 * pi * medium.k[0][i] / (scene_.lambda_nm[i] * 1e-6);
+      const double turns = medium.rotation_deg_per_mm[i] / 360;
+      hi[i] = static_cast<float>(turns);
+      lo[i] = turns - hi[i];
     }
+    const int first = transport_row(reference_index(medium));
+    for (const Samples* values : {&medium.k[0], &absorb, &hi, &lo}) transport_row(*values);
+    for (const Samples& values : crystal_rows(medium)) transport_row(values);
+    return first;
+  }
+
+  void pack_media() {
+    const auto any = [](const Samples& v) { return std::any_of(v.begin(), v.end(), [](double x) { return x != 0; }); };
+    std::vector<Medium> media;
+    for (const Medium& medium : scene_.media)
+      media.push_back(scene_.settings.polarization ? medium : without_polarization(medium));
+    std::vector<std::int32_t> records;
+    std::vector<Samples> index;
+    for (const Medium& medium : media) {
+      const bool absorbs = any(medium.k[0]) || any(medium.k[1]) || any(medium.k[2]);
+      records.insert(records.end(), {pack_medium(medium), absorbs, any(medium.rotation_deg_per_mm), waves_of(medium),
+                                     medium.is_active()});
+      index.push_back(reference_index(medium));
+    }
+    header(HEADER_MEDIA_AT) = ints_here();
+    out_.ints.insert(out_.ints.end(), records.begin(), records.end());
     header(HEADER_DELTA_ROW) = static_cast<int>(out_.tables.size()) / out_.stride;
-    for (const Medium& one : scene_.media) {
-      for (const Medium& two : scene_.media) {
-        Samples delta(one.n[0].size());
-        for (std::size_t i = 0; i < delta.size(); ++i) delta[i] = (two.n[0][i] - one.n[0][i]) * (two.n[0][i] + one.n[0][i]);
+    for (const Samples& one : index) {
+      for (const Samples& two : index) {
+        Samples delta(one.size());
+        for (std::size_t i = 0; i < delta.size(); ++i) delta[i] = (two[i] - one[i]) * (two[i] + one[i]);
         transport_row(delta);
       }
     }
+    pack_wavelengths();
+  }
+
+  // A single wavelength is strictly monochromatic light: its bin has no width.
+  void pack_wavelengths() {
+    Samples per_mm, bin;
+    for (std::size_t i = 0; i < scene_.lambda_nm.size(); ++i) {
+      per_mm.push_back(1 / (scene_.lambda_nm[i] * 1e-6));
+      bin.push_back(scene_.lambda_nm.size() == 1 ? 0 : scene_.weight_nm[i] / scene_.lambda_nm[i]);
+    }
+    header(HEADER_WAVELENGTH_ROW) = transport_row(per_mm);
+    transport_row(bin);
   }
 
   void pack_polarizers() {

@@ -49,6 +49,7 @@ struct Medium {
   std::array<Samples, 6> gyration;
   std::vector<OpticFrame> frame;  // one for all wavelengths, or one per wavelength
   std::string source;    // of the numbers
+  std::array<double, 2> range_nm{};  // wavelengths that the numbers hold for; both 0: not said
 
   bool is_active() const { return !gyration[0].empty(); }
   const OpticFrame& frame_at(std::size_t i) const { return frame[frame.size() == 1 ? 0 : i]; }
@@ -157,6 +158,9 @@ struct Settings {
   double exposure = 1;           // factor on the colours of PNG and of EXR's R, G, B
   int samples = 1;               // per pixel
   bool polarization = true;      // false: scalar intensities (`polarization off`)
+  bool coherence = true;         // false: the two waves of a crystal never add as amplitudes (`coherence off`)
+  int conical_rays = 0;          // azimuths around the cone at a binormal, per sample; 0: none
+  double conical_spread_rad = 0; // half the angle of the bundle that one ray stands for; 0: that of a pixel
 };
 
 struct Scene {

@@ -15,8 +15,10 @@ enum {
   HEADER_POLARIZERS_AT, HEADER_MEDIA_AT, HEADER_LISTS_AT,          // offsets into the ints
   HEADER_CAMERA_REALS, HEADER_CELL_REALS, HEADER_FACE_REALS, HEADER_PATCH_REALS, HEADER_EDGE_REALS,
   HEADER_SHEET_REALS, HEADER_POLARIZER_REALS, HEADER_SETTING_REALS, // offsets into the scalars
-  HEADER_DELTA_ROW,   // row of n2^2 - n1^2 for media (1, 2): DELTA_ROW + medium1 * MEDIUM_COUNT + medium2
-  HEADER_SIZE = 32,
+  HEADER_DELTA_ROW,   // row of N2^2 - N1^2 (MEDIUM_ROW_N) for media (1, 2): DELTA_ROW + medium1 * MEDIUM_COUNT + medium2
+  HEADER_WAVELENGTH_ROW,  // rows of wavelengths: 1/lambda in 1/mm, then the width of the bin over lambda
+  HEADER_CONICAL_RAYS,    // azimuths that sample the cone at a binormal, per sample; 0: none
+  HEADER_SIZE = 40,
 
   // cell: ints; lists of children and sheets lie in the lists section
   CELL_FIRST_FACE = 0, CELL_FACE_COUNT, CELL_FIRST_PATCH, CELL_PATCH_COUNT, CELL_FIRST_CHILD,
@@ -45,21 +47,29 @@ enum {
   POLARIZER_IDEAL = 0, POLARIZER_IDEAL_ABSORBING, POLARIZER_CALCITE,
   // rows of a calcite polarizer from POLARIZER_ROW on
   POLARIZER_ROW_N_O = 0, POLARIZER_ROW_N_E, POLARIZER_ROWS,
-  // medium: first row, flags
-  MEDIUM_ROW = 0, MEDIUM_ABSORBS, MEDIUM_ROTATES, MEDIUM_INTS,
-  // rows of a medium from MEDIUM_ROW on. Rotation in turns per mm as hi + lo (two scalars keep the phase
-  // of 1e5 turns); extinction coefficient k
+  // medium: first row, flags, kind of waves (WAVES_* of waves.h), optically active crystal
+  MEDIUM_ROW = 0, MEDIUM_ABSORBS, MEDIUM_ROTATES, MEDIUM_WAVES, MEDIUM_ACTIVE, MEDIUM_INTS,
+  // rows of a medium from MEDIUM_ROW on. N: index; of crystals the one that the others are counted from
+  // (uniaxial: ordinary; else sqrt(3/tr eta)). Rotation of isotropic media in turns per mm as hi + lo (two scalars keep
+  // the phase of 1e5 turns); extinction coefficient k
   MEDIUM_ROW_N = 0, MEDIUM_ROW_K, MEDIUM_ROW_ABSORB_PER_MM, MEDIUM_ROW_TURNS_HI, MEDIUM_ROW_TURNS_LO,
   MEDIUM_ROWS,
-  // camera scalars
-  CAMERA_LOCATION = 0, CAMERA_DIRECTION = 3, CAMERA_RIGHT = 6, CAMERA_UP = 9, CAMERA_REALS = 12,
-  // setting scalars
-  SETTING_ADC_BAILOUT = 0, SETTING_REALS,
+  // crystals: symmetric tensors as xx yy zz yz zx xy in the world
+  CRYSTAL_ROW_IM_EPS = MEDIUM_ROWS,
+  // uniaxial: optic axis x y z, n_e^2, n_e^2 - n_o^2, 1/n_e^2 - 1/n_o^2
+  UNIAXIAL_ROW_AXIS = CRYSTAL_ROW_IM_EPS + 6, UNIAXIAL_ROW_EPS_E = UNIAXIAL_ROW_AXIS + 3, UNIAXIAL_ROW_D_EPS,
+  UNIAXIAL_ROW_D_ETA,
+  // general: n2bar eta - 1, the gyration term, zeta (waves.h)
+  GENERAL_ROW_ATIL = CRYSTAL_ROW_IM_EPS + 6, GENERAL_ROW_GQ = GENERAL_ROW_ATIL + 6, GENERAL_ROW_ZETA = GENERAL_ROW_GQ + 6,
+  // camera scalars; FOOTPRINT: size of a pixel in mm at the camera, and what it grows by per mm of distance
+  CAMERA_LOCATION = 0, CAMERA_DIRECTION = 3, CAMERA_RIGHT = 6, CAMERA_UP = 9, CAMERA_FOOTPRINT = 12, CAMERA_REALS = 14,
+  // setting scalars; CONICAL_SPREAD: half the angle of the bundle that a ray stands for, rad
+  SETTING_ADC_BAILOUT = 0, SETTING_CONICAL_SPREAD, SETTING_REALS,
 
   // what a work-item writes: S0, S1, S2, S3, cut-off weight; LANES scalars each
   OUT_STOKES = 0, OUT_CUT_OFF = 4, OUT_COMPONENTS = 5,
   // counters
-  COUNT_NAN = 0, COUNT_ENERGY, COUNT_STACK, COUNT_STOKES, COUNT_SEGMENTS, COUNTERS
+  COUNT_NAN = 0, COUNT_ENERGY, COUNT_STACK, COUNT_STOKES, COUNT_FALLBACK, COUNT_SEGMENTS, COUNTERS
 };
 
 #endif

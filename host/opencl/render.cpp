@@ -196,6 +196,7 @@ void Renderer::collect(int index) {
   report_.energy_count += slot.counted[COUNT_ENERGY];
   report_.stack_count += slot.counted[COUNT_STACK];
   report_.stokes_count += slot.counted[COUNT_STOKES];
+  report_.fallback_count += slot.counted[COUNT_FALLBACK];
   report_.segments += slot.counted[COUNT_SEGMENTS];
   if (tile.sample_end == static_cast<int>(samples_.size())) units_done_ = tile.first_unit + tile.unit_count;
   tell_progress(tile);
