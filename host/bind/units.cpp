@@ -19,7 +19,7 @@ Affine to_world(double mm_per_unit) {
 
 Affine from_crystal() {
   Affine a;
-  a.m[2][2] = -1;
+  a.m = {{{0, 0, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}};
   return a;
 }
 

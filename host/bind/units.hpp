@@ -5,8 +5,10 @@
 //
 // to_world() negates z. A mirror of the whole scene together with its camera leaves the picture as
 // it was, so the picture is POV-Ray's, and what the eye sees right-handed is right-handed in the
-// computation. `crystal { }` is written in right-handed Cartesian axes; from_crystal() puts it in
-// the scene's axes by negating z, and to_world() negates it back: right quartz stays right quartz.
+// computation. `crystal { }` is written in right-handed Cartesian axes X, Y, Z. from_crystal() puts
+// them as mineralogists draw them: X towards the viewer (-z), Y to the right (+x), Z up (+y), that
+// is (x, y, z) = (Y, Z, -X). It mirrors, and to_world() mirrors back: together they are a proper
+// rotation, and right quartz stays right quartz.
 #pragma once
 #include "host/scene.hpp"
 

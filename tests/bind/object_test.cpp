@@ -65,7 +65,9 @@ TEST_CASE("crystal is right-handed: its axes reach the world unmirrored") {
                              glass + "}");
   CHECK(convex(b).faces.size() == 7);
   const Affines& list = b.scene.objects[0].transforms;
-  check_near(transform_point(list, {0, 0, 2}), {0, 0, 20});
+  check_near(transform_point(list, {1, 0, 0}), {0, 0, 10});  // towards the viewer
+  check_near(transform_point(list, {0, 1, 0}), {10, 0, 0});  // to the right
+  check_near(transform_point(list, {0, 0, 2}), {0, 20, 0});  // up
   CHECK(determinant_sign(list) == 1);
   CHECK(convex(b).faces[6].offset ==
         doctest::Approx(1.5 * std::sqrt(3)));  // distance, not d of the text
@@ -74,10 +76,10 @@ TEST_CASE("crystal is right-handed: its axes reach the world unmirrored") {
 TEST_CASE("a crystal inside an intersection keeps its handedness") {
   const Bound b = bind_clean(lit +
                              "intersection { crystal { facet <0,0,1>, 2 facet <0,0,-1>, 1 }"
-                             " box { <-1,-1,-9>, <1,1,9> }" +
+                             " box { <-1,-9,-1>, <1,9,1> }" +
                              glass + "}");
-  CHECK(holds(convex(b), {0, 0, -1.9}));  // crystal's +z is the scene's -z
-  CHECK_FALSE(holds(convex(b), {0, 0, 1.1}));
+  CHECK(holds(convex(b), {0, 1.9, 0}));  // crystal's +Z is the scene's +y
+  CHECK_FALSE(holds(convex(b), {0, -1.1, 0}));
 }
 
 TEST_CASE("prism: points are (x, z), contours closed by repetition, heights sorted") {
