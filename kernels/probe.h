@@ -182,15 +182,20 @@ FUNCTION void solve_active(GLOBAL const scalar* problem, GLOBAL scalar* answer, 
                root_from(p1, problem + PROBE_BRACKETS1 + 2), lanes(problem[PROBE_N1]), lanes(problem[PROBE_KAPPA1]), 1, reflected);
   medium_modes(problem[PROBE_CLASS2] == PROBE_CHIRAL, f->q.re, root_from(p1, problem + PROBE_BRACKETS2),
                root_from(p1, problem + PROBE_BRACKETS2 + 2), lanes(problem[PROBE_N2]), lanes(problem[PROBE_KAPPA2]), 0, transmitted);
-  cplx amplitude[4];
-  match_fields(f->e, f->h, transmitted, reflected, amplitude);
+  cplx amplitude[2][4];
+  Mode in;
+  for (int i = 0; i < 3; ++i) {
+    in.e[i] = f->e[i];
+    in.h[i] = f->h[i];
+  }
+  match_fields(&in, 1, transmitted, reflected, amplitude);
   Mode waves[4];
   real power[4], incident = flux_of(f->e, f->h);
   cplx sum_e[3], sum_h[3];
   for (int i = 0; i < 3; ++i) sum_e[i] = sum_h[i] = complex_of(lanes(0), lanes(0));
   for (int w = 0; w < 4; ++w) {
     waves[w] = w < 2 ? reflected[w] : transmitted[w - 2];
-    scale_mode(&waves[w], amplitude[w < 2 ? w + 2 : w - 2]);
+    scale_mode(&waves[w], amplitude[0][w < 2 ? w + 2 : w - 2]);
     real share = (w < 2 ? lanes(-1) : lanes(1)) * flux_of(waves[w].e, waves[w].h) / incident;
     power[w] = pick(share > lanes(0), share, lanes(0));
     for (int i = 0; i < 3 && w >= 2; ++i) {

@@ -5,6 +5,7 @@
 
 typedef struct { real x, y, z; } vec3;
 typedef struct { real re, im; } cplx;
+typedef struct { vec3 re, im; } cvec3;
 
 FUNCTION vec3 vec(real x, real y, real z) { vec3 v; v.x = x; v.y = y; v.z = z; return v; }
 FUNCTION vec3 broadcast(GLOBAL const scalar* p) { return vec(lanes(p[0]), lanes(p[1]), lanes(p[2])); }
