@@ -6,9 +6,18 @@
 #include "optical_rotation.h"
 #include "polarizer.h"
 
+// The waves that a path stands for. In an isotropic medium: any polarization, in the axes (e, f). In a crystal: one
+// eigenwave, or both of a direction as amplitudes. Wave 0 has D along c e + i s f, wave 1 along i s e + c f, with c^2 + s^2 = 1,
+// f = e x k/|k|; the columns e and f of the Jones matrix are the responses to wave 0 and wave 1 (one wave: column e is its own).
+enum { CARRIES_ANY = 0, CARRIES_ONE, CARRIES_ORDINARY, CARRIES_PAIR };
+
 typedef struct {
   Ray ray;
-  vec3 axis;    // e of jones.h; f = axis x direction
+  vec3 axis;    // e of jones.h; f = axis x direction (in a crystal: x wave normal)
+  vec3 k;       // in a crystal: wave vector in units of k0 (of a pair: the mean)
+  real ellipse; // in a crystal: s
+  real gap;     // of a pair: what wave 1's phase gains over wave 0's, in wavelengths of vacuum per length along the ray
+  int carries;
   Jones jones;
   int level;    // faces met so far
   int pinned;   // patch whose cell the ray enters next, without a way to go; -1: none
@@ -20,6 +29,7 @@ typedef struct {
   real stokes[4], lost[4];
   real cut_off;
   mask energy_off;  // a face gave R + T off 1
+  int cones;        // a path met the binormal of a crystal: its light depends on the azimuth taken there
 } Gathered;
 
 FUNCTION void add_stokes(PRIVATE Gathered* sum, int s, real value) {

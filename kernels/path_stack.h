@@ -4,7 +4,7 @@
 #include "path.h"
 
 #ifndef STACK_SIZE
-#define STACK_SIZE 40
+#define STACK_SIZE 64
 #endif
 
 typedef struct {

@@ -3,6 +3,29 @@
 #define NICOL_RENDER_H
 #include "camera.h"
 
+// Stokes in the picture's axes, and cut-off, of one sample.
+FUNCTION Gathered light_of_sample(PRIVATE const SceneView* view, real u, real v, mask in_use, PRIVATE PathStack* stack,
+                                  GLOBAL event_count* counters, PRIVATE int* segments) {
+  vec3 picture_x;
+  Path path = camera_path(view, u, v, &picture_x);
+  path.jones = keep_lanes(view, in_use, path.jones);
+  vec3 axis = path.axis, direction = path.ray.direction;
+  Gathered sum;
+  for (int i = 0; i < 4; ++i) sum.stokes[i] = sum.lost[i] = lanes(0);
+  sum.cut_off = lanes(0);
+  sum.energy_off = lanes(0) != lanes(0);
+  sum.cones = 0;
+  *segments += follow(view, path, stack, &sum, counters);
+  turn_to_picture(&sum, axis, picture_x, direction);
+  if (any_lane(sum.energy_off)) count_event(counters, COUNT_ENERGY);
+  if (any_lane(sum.stokes[0] != sum.stokes[0])) count_event(counters, COUNT_NAN);
+  real polarized2 = lanes(0);
+  for (int i = 1; i < 4; ++i) polarized2 += sum.stokes[i] * sum.stokes[i];
+  real slack = lanes(sizeof(scalar) == 8 ? 1e-12f : 1e-5f);
+  if (any_lane(polarized2 > sum.stokes[0] * sum.stokes[0] * (lanes(1) + slack))) count_event(counters, COUNT_STOKES);
+  return sum;
+}
+
 // Writes the sum over samples [sample_begin, sample_end) to `out` (OUT_COMPONENTS x LANES scalars). `samples`
 // holds x, y pairs, 0..1 within the pixel.
 FUNCTION void render_item(GLOBAL const int* ints, GLOBAL const scalar* reals, GLOBAL const scalar* tables,
@@ -35,27 +58,23 @@ FUNCTION void render_item(GLOBAL const int* ints, GLOBAL const scalar* reals, GL
   for (int i = 0; i < OUT_COMPONENTS; ++i) total[i] = lanes(0);
   int segments = 0;
   PathStack stack;
+  int azimuths = has(conical_rays, &view) ? ints[HEADER_CONICAL_RAYS] : 1;
   for (int s = sample_begin; s < sample_end; ++s) {
     real u = (x0 + lanes(samples[2 * s])) / lanes((scalar)width);
     real v = (y0 - lanes(samples[2 * s + 1])) / lanes((scalar)height);
-    vec3 picture_x;
-    Path path = camera_path(&view, u, v, &picture_x);
-    path.jones = keep_lanes(&view, in_use, path.jones);
-    vec3 axis = path.axis, direction = path.ray.direction;
-    Gathered sum;
-    for (int i = 0; i < 4; ++i) sum.stokes[i] = sum.lost[i] = lanes(0);
-    sum.cut_off = lanes(0);
-    sum.energy_off = lanes(0) != lanes(0);
-    segments += follow(&view, path, &stack, &sum, counters);
-    turn_to_picture(&sum, axis, picture_x, direction);
-    if (any_lane(sum.energy_off)) count_event(counters, COUNT_ENERGY);
-    if (any_lane(sum.stokes[0] != sum.stokes[0])) count_event(counters, COUNT_NAN);
-    real polarized2 = lanes(0);
-    for (int i = 1; i < 4; ++i) polarized2 += sum.stokes[i] * sum.stokes[i];
-    real slack = lanes(sizeof(scalar) == 8 ? 1e-12f : 1e-5f);
-    if (any_lane(polarized2 > sum.stokes[0] * sum.stokes[0] * (lanes(1) + slack))) count_event(counters, COUNT_STOKES);
-    for (int i = 0; i < 4; ++i) total[OUT_STOKES + i] += sum.stokes[i];
-    total[OUT_CUT_OFF] += sum.cut_off;
+    int taken = azimuths;
+    for (int azimuth = 0; azimuth < taken; ++azimuth) {
+      if (has(conical_rays, &view)) {
+        cplx turn = rotation_of(lanes(((scalar)azimuth + (scalar)0.5) / (scalar)(4 * azimuths)), lanes(0), lanes(1));
+        view.conical_cos = turn.re;
+        view.conical_sin = turn.im;
+      }
+      Gathered sum = light_of_sample(&view, u, v, in_use, &stack, counters, &segments);
+      if (!sum.cones) taken = 1;  // no azimuth was asked for: all are alike
+      real share = lanes((scalar)1 / (scalar)taken);
+      for (int i = 0; i < 4; ++i) total[OUT_STOKES + i] += share * sum.stokes[i];
+      total[OUT_CUT_OFF] += share * sum.cut_off;
+    }
   }
   for (int i = 0; i < OUT_COMPONENTS; ++i) store_lanes(total[i], out + i * LANES);
   add_event(counters, COUNT_SEGMENTS, (event_count)segments);

@@ -26,7 +26,8 @@ typedef struct {
   GLOBAL const scalar* polarizer_reals;
   GLOBAL const scalar* tables;
   scalar adc_bailout;
-  scalar conical_cos, conical_sin;  // azimuth on the cone that this sample takes
+  scalar conical_spread;            // half the angle of the bundle that one ray stands for
+  real conical_cos, conical_sin;    // azimuth on the cone that this sample takes
   int max_trace_level;
 } SceneView;
 
@@ -54,8 +55,9 @@ FUNCTION SceneView view_scene(GLOBAL const int* ints, GLOBAL const scalar* reals
   v.polarizer_reals = reals + ints[HEADER_POLARIZER_REALS];
   v.tables = tables;
   v.adc_bailout = reals[ints[HEADER_SETTING_REALS] + SETTING_ADC_BAILOUT];
-  v.conical_cos = 1;
-  v.conical_sin = 0;
+  v.conical_spread = reals[ints[HEADER_SETTING_REALS] + SETTING_CONICAL_SPREAD];
+  v.conical_cos = lanes(1);
+  v.conical_sin = lanes(0);
   v.max_trace_level = ints[HEADER_MAX_TRACE_LEVEL];
   return v;
 }

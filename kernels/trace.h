@@ -1,13 +1,15 @@
 // The tree of reflected and refracted rays behind one sample of a pixel, followed to its end.
 //
-// Of two children the lighter is followed and the heavier kept for later: each step down then at least
-// halves the weight, so the stack never holds more than log2(lanes / adc_bailout) paths. Rays that leave towards
+// Of the children the lightest is followed and the heavier ones kept for later, the heaviest deepest: with m children the
+// path followed has at most 1/m of the weight, so the stack never holds more than log2(lanes / adc_bailout) paths where
+// faces send two, and (m - 1)/log2 m times that where crystals send m. Rays that leave towards
 // the lights without meeting another solid are added at once and never kept.
 // Lanes go together as long as they meet the same kind of thing; which face they meet is each lane's own
 // matter. Lanes that part company are kept as a path of their own.
 #ifndef NICOL_TRACE_H
 #define NICOL_TRACE_H
 #include "contacts.h"
+#include "crystal_face.h"
 #include "ends.h"
 #include "interface.h"
 
@@ -58,6 +60,10 @@ FUNCTION void go_to(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE E
   hit->depth_mm = pick(hit->depth_mm < FAR_MM, hit->depth_mm, lanes(0));
   path->ray.direction = pick3(dot3(path->ray.direction, hit->normal) > lanes(0), path->ray.direction, hit->normal);
   path->ray.position = along(hit->depth_mm, path->ray.direction, path->ray.position);
+  if (is_crystal(view, cell_of(view, path->ray.cell)[CELL_MEDIUM])) {
+    go_through_crystal(view, path, cell_of(view, path->ray.cell)[CELL_MEDIUM], hit->depth_mm);
+    return;
+  }
   vec3 u = has(polarization, view) ? across_incidence(hit->normal, path->ray.direction) : path->axis;
   go_through(view, path, cell_of(view, path->ray.cell)[CELL_MEDIUM], hit->depth_mm, u);
 }
@@ -72,16 +78,20 @@ FUNCTION int cell_beyond(PRIVATE const SceneView* view, PRIVATE const Path* path
   return event->lead - KEY_FIRST_CELL;
 }
 
-// What lies in the gap on the side that the path was thrown back to, or that it left into.
-FUNCTION void meet_gap(PRIVATE const SceneView* view, PRIVATE Path* back, PRIVATE Path* through, int pinned,
-                       PRIVATE const Event* event, int exits, int cell, PRIVATE PathStack* stack,
-                       PRIVATE Gathered* sum, GLOBAL event_count* counters) {
-  if (exits && has(light_contacts, view)) gather_contact_lights(view, through, cell, event->patch, sum);
-  if (exits && has(polarizer_contacts, view) && event->behind == BEHIND_POLARIZER)
+// What a path that left a face meets in the gap behind it.
+FUNCTION void meet_behind(PRIVATE const SceneView* view, PRIVATE Path* through, PRIVATE const Event* event, int cell,
+                          PRIVATE PathStack* stack, PRIVATE Gathered* sum, GLOBAL event_count* counters) {
+  if (has(light_contacts, view)) gather_contact_lights(view, through, cell, event->patch, sum);
+  if (has(polarizer_contacts, view) && event->behind == BEHIND_POLARIZER)
     through_sheet(view, through, view->patches[event->met_patch * PATCH_INTS + PATCH_SHEET], stack, sum, counters);
-  if (exits && has(solid_contacts, view) && event->behind == BEHIND_CELL_GAP)
+  if (has(solid_contacts, view) && event->behind == BEHIND_CELL_GAP)
     through->pinned = view->patches[event->met_patch * PATCH_INTS + PATCH_TWIN];
-  if (exits || pinned < 0) return;
+}
+
+// What a path meets that a face has thrown back into the gap before it.
+FUNCTION void meet_before(PRIVATE const SceneView* view, PRIVATE Path* back, int pinned, PRIVATE PathStack* stack,
+                          PRIVATE Gathered* sum, GLOBAL event_count* counters) {
+  if (pinned < 0) return;
   GLOBAL const int* record = view->patches + pinned * PATCH_INTS;
   if (has(solid_contacts, view) && record[PATCH_BEHIND] == BEHIND_CELL_GAP) back->pinned = record[PATCH_TWIN];
   if (has(polarizer_contacts, view) && record[PATCH_BEHIND] == BEHIND_POLARIZER)
@@ -112,7 +122,11 @@ FUNCTION int through_face(PRIVATE const SceneView* view, PRIVATE Path* path, PRI
   refracted.ray.from_cell = exits ? cell : -1;
   path->ray.from_cell = exits ? -1 : target;
   refracted.ray.from_sheet = path->ray.from_sheet = -1;
-  meet_gap(view, path, &refracted, pinned, event, exits, cell, stack, sum, counters);
+  if (exits) {
+    meet_behind(view, &refracted, event, cell, stack, sum, counters);
+  } else {
+    meet_before(view, path, pinned, stack, sum, counters);
+  }
   int through = goes_on(view, &refracted, sum, counters);
   int back = goes_on(view, path, sum, counters);
   if (through && back) {
@@ -123,6 +137,56 @@ FUNCTION int through_face(PRIVATE const SceneView* view, PRIVATE Path* path, PRI
     *path = refracted;
   }
   return through || back;
+}
+
+// The lightest child becomes the path, the others wait, the heaviest deepest. False if there is none.
+FUNCTION int follow_lightest(PRIVATE const SceneView* view, PRIVATE Children* children, PRIVATE Path* path,
+                             PRIVATE PathStack* stack, PRIVATE Gathered* sum, GLOBAL event_count* counters) {
+  scalar weight[MOST_CHILDREN];
+  for (int i = 0; i < children->count; ++i) weight[i] = sum_lanes(path_weight(view, &children->paths[i].jones));
+  for (int left = children->count; left > 0; --left) {
+    int heaviest = 0;
+    for (int i = 1; i < children->count; ++i)
+      if (weight[i] > weight[heaviest]) heaviest = i;
+    if (left == 1) {
+      *path = children->paths[heaviest];
+    } else {
+      push(view, stack, children->paths[heaviest], sum, counters);
+    }
+    weight[heaviest] = -1;
+  }
+  return children->count > 0;
+}
+
+// A face with a crystal on one side or both: all waves of both sides. False if none is left.
+FUNCTION int through_crystal_face(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE const Event* event,
+                                  PRIVATE PathStack* stack, PRIVATE Gathered* sum, GLOBAL event_count* counters) {
+  int cell = path->ray.cell, target = cell_beyond(view, path, event);
+  int exits = event->lead == KEY_EXIT || event->met_patch >= 0;
+  Interface face;
+  face.normal = event->hit.normal;
+  face.medium1 = cell_of(view, cell)[CELL_MEDIUM];
+  face.medium2 = cell_of(view, target)[CELL_MEDIUM];
+  Path back = *path;
+  ++back.level;
+  back.pinned = back.ray.from_sheet = -1;
+  Path through = back;
+  change_cell(view, &through, target);
+  through.ray.from_cell = exits ? cell : -1;
+  back.ray.from_cell = exits ? -1 : target;
+  Children reflected, refracted, kept;
+  split_waves(view, path, face, &back, &through, &reflected, &refracted, sum, counters);
+  kept.count = 0;
+  for (int side = 0; side < 2; ++side) {
+    PRIVATE Children* sent = side ? &refracted : &reflected;
+    for (int i = 0; i < sent->count; ++i) {
+      PRIVATE Path* child = &sent->paths[i];
+      if (side && exits) meet_behind(view, child, event, cell, stack, sum, counters);
+      if (!side && !exits) meet_before(view, child, path->pinned, stack, sum, counters);
+      if (goes_on(view, child, sum, counters)) kept.paths[kept.count++] = *child;
+    }
+  }
+  return follow_lightest(view, &kept, path, stack, sum, counters);
 }
 
 // One event of the path. False if nothing of it is left.
@@ -151,7 +215,40 @@ FUNCTION int step(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE Pat
     ++path->level;
     return keep_bright(view, path, sum, counters);
   }
+  if (is_crystal(view, cell_of(view, path->ray.cell)[CELL_MEDIUM]) ||
+      is_crystal(view, cell_of(view, cell_beyond(view, path, &event))[CELL_MEDIUM]))
+    return through_crystal_face(view, path, &event, stack, sum, counters);
   return through_face(view, path, &event, stack, sum, counters);
+}
+
+// A camera inside a crystal looks along wave normals: the path becomes the crystal's waves of that normal.
+FUNCTION int start_in_crystal(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE PathStack* stack,
+                              PRIVATE Gathered* sum, GLOBAL event_count* counters) {
+  int medium = cell_of(view, path->ray.cell)[CELL_MEDIUM];
+  if (!is_crystal(view, medium)) return 1;
+  WaveMedium m = wave_medium(view, medium);
+  vec3 s = path->ray.direction, f = second_axis(path);
+  SectionWaves section = waves_of_section(&m, s);
+  Wave w[2];
+  cplx amplitude[2][2];
+  for (int i = 0; i < 2; ++i) {
+    w[i].runs = lanes(0) == lanes(0);
+    w[i].k = scale3(section.n[i], s);
+    w[i].d.re = section.d_re[i];
+    w[i].d.im = section.d_im[i];
+    cvec3 e, h;
+    fields_of_wave(&m, w[i].k, w[i].d.re, w[i].d.im, &e, &h);
+    w[i].ray = ray_of_fields(&e, &h);
+    // <D, a e + b f>
+    cplx on_e = complex_of(dot3(w[i].d.re, path->axis), -dot3(w[i].d.im, path->axis));
+    cplx on_f = complex_of(dot3(w[i].d.re, f), -dot3(w[i].d.im, f));
+    for (int r = 0; r < jones_rows(view); ++r)
+      amplitude[i][r] = cadd(cmul(on_e, path->jones.e[r]), cmul(on_f, path->jones.f[r]));
+  }
+  Children waves;
+  waves.count = 0;
+  send_waves(view, path, &m, w, section.gap * dot3(s, w[0].ray), amplitude, &waves, sum);
+  return follow_lightest(view, &waves, path, stack, sum, counters);
 }
 
 // Follows the tree behind `path` and adds what it brings. Returns the lane-segments traced.
@@ -159,6 +256,7 @@ FUNCTION int follow(PRIVATE const SceneView* view, Path path, PRIVATE PathStack*
                     GLOBAL event_count* counters) {
   int segments = 0;
   stack->size = 0;
+  if (!start_in_crystal(view, &path, stack, sum, counters)) return 0;
   for (;;) {
     segments += count_lanes(path_weight(view, &path.jones) > lanes(0));
     if (step(view, &path, stack, sum, counters)) continue;

@@ -3,13 +3,7 @@
 #ifndef NICOL_WAVE_MEDIUM_H
 #define NICOL_WAVE_MEDIUM_H
 #include "modes.h"
-
-enum {
-  WAVES_ISOTROPIC = 0,
-  WAVES_UNIAXIAL,
-  WAVES_GENERAL,  // biaxial, or anisotropic and active
-  WAVES_CHIRAL    // isotropic, active: exact circular waves
-};
+#include "waves_kinds.h"
 
 typedef struct {
   int kind, active;
