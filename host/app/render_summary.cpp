@@ -64,9 +64,10 @@ std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loa
           {"version", fmt::format("nicol {}", version())},
           {"settings",
            fmt::format(
-               "samples {}, max_trace_level {}, adc_bailout {:g}, exposure {:g}, polarization {}",
+               "samples {}, max_trace_level {}, adc_bailout {:g}, exposure {:g}, polarization {}, "
+               "coherence {}",
                settings.samples, settings.max_trace_level, settings.adc_bailout, settings.exposure,
-               settings.polarization ? "on" : "off")},
+               settings.polarization ? "on" : "off", settings.coherence ? "on" : "off")},
           {"features", fmt::format("{:#x}", loaded.features.mask)},
           {"device", fmt::format("{}, {} lanes of {}", report.device, report.lanes, report.real)},
           {"time", fmt::format("{:.3f} s, {:.3g} segments/s; {}", report.seconds,

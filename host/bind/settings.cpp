@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "host/bind/parts.hpp"
+#include "host/bind/units.hpp"
 
 namespace nicol {
 
@@ -117,6 +118,18 @@ Schema settings_schema(Context& context, RawSettings& raw) {
         "factor on the colours of the picture, not on its spectra (1)"},
        {"polarization", "b", [=](const Args& a) { s->polarization = a.numbers[0] != 0; },
         "off: intensities only"},
+       {"coherence", "b", [=](const Args& a) { s->coherence = a.numbers[0] != 0; },
+        "off: the two waves of a crystal never add as amplitudes (on)"},
+       {"conical_rays", "n",
+        [=](const Args& a) {
+          s->conical_rays = integer(*c, a, "conical_rays", 0, 4096).value_or(0);
+        },
+        "azimuths that sample the cone at a binormal, per sample (0)"},
+       {"conical_spread", "n",
+        [=](const Args& a) {
+          s->conical_spread_rad = radians(positive(*c, a, "conical_spread").value_or(0));
+        },
+        "degrees: half the angle of the bundle that a ray stands for (that of a pixel)"},
        {"assumed_gamma", "*", nothing, "accepted: nicol computes with spectra"}},
       {{accepted,
         false,
