@@ -127,7 +127,10 @@ class Packer {
       lo[i] = turns - hi[i];
     }
     const int first = transport_row(reference_index(medium));
-    for (const Samples* values : {&medium.k[0], &absorb, &hi, &lo}) transport_row(*values);
+    transport_row(medium.k[0]);
+    transport_row(absorb);
+    transport_row(hi);
+    transport_row(lo);
     for (const Samples& values : crystal_rows(medium)) transport_row(values);
     return first;
   }
