@@ -12,7 +12,8 @@
 
 namespace nicol {
 
-struct RawObject;  // parts.hpp
+struct RawObject;      // parts.hpp
+struct BoundInterior;  // parts.hpp
 
 // Thrown once the budget is spent or too much has been complained about; bind() catches it.
 struct GiveUp {};
@@ -36,8 +37,10 @@ class Context {
   Scene& scene;
   const BindOptions& options;
   const Limits limits;
-  std::unordered_map<const sdl::Block*, std::optional<int>> medium_of_block;
+  std::unordered_map<const sdl::Block*, std::shared_ptr<const BoundInterior>> interior_of_block;
   std::unordered_map<const sdl::Block*, std::shared_ptr<const RawObject>> object_of_block;
+  // Of a block in one hand and one orientation; and of the values that this comes to.
+  std::map<std::tuple<const sdl::Block*, bool, std::array<double, 9>>, int> medium_of_placed;
   std::map<std::vector<double>, int> medium_of_values;
   std::size_t transform_count = 0;
 

@@ -1,17 +1,35 @@
-// interior { }: index, rotation, absorption of a medium, sampled at the scene's wavelengths.
+// Media: an interior sampled at the scene's wavelengths, and laid into the world with its object.
 #include "host/bind/parts.hpp"
 #include "host/bind/units.hpp"
+#include "host/vec.hpp"
 
 namespace nicol {
 
 namespace {
 
-IndexFormula index_of(const RawMedium& raw) {
+using Symmetry = Medium::Symmetry;
+
+IndexFormula isotropic_index(const RawMedium& raw) {
   if (raw.index) return *raw.index;
   IndexFormula formula;
+  formula.coefficients = {1};
+  if (!raw.ior) return formula;
   formula.kind = IndexFormula::Kind::povray;
   formula.coefficients = {*raw.ior, raw.dispersion};
   return formula;
+}
+
+void add_indices(Context& context, const RawMedium& raw, Medium& medium) {
+  if (medium.symmetry == Symmetry::isotropic) {
+    medium.n.fill(sample_index(context, isotropic_index(raw), raw.index_where,
+                               raw.index ? "'index'" : "'ior'"));
+    return;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const principal::Axis axis = principal_axis(medium.symmetry, i);
+    medium.n[i] = sample_index(context, *raw.index_along[axis], raw.index_along_where[axis],
+                               std::string("'") + principal::names[axis] + "'");
+  }
 }
 
 Samples rotation_samples(Context& context, const RawMedium& raw) {
@@ -40,168 +58,129 @@ Samples not_negative(Context& context, const AbsorptionFormula& formula, Locatio
   return values;
 }
 
-Samples extinction_samples(Context& context, const RawMedium& raw) {
-  const Samples per_mm =
-      not_negative(context, raw.absorption, raw.absorption_where, "'absorption'");
-  Samples k = not_negative(context, raw.extinction, raw.extinction_where, "'extinction'");
-  for (std::size_t i = 0; i < k.size(); ++i)
-    k[i] += extinction(per_mm[i], context.scene.lambda_nm[i]);
-  return k;
+Samples along(Context& context, const RawAbsorption& raw, principal::Axis axis, const std::string& what) {
+  const bool own = raw.along[axis].kind != AbsorptionFormula::Kind::none;
+  return not_negative(context, own ? raw.along[axis] : raw.every, raw.where, what);
 }
 
-Medium make_medium(Context& context, const RawMedium& raw, Location where) {
+void add_extinctions(Context& context, const RawMedium& raw, Medium& medium) {
+  for (int i = 0; i < 3; ++i) {
+    const principal::Axis axis = principal_axis(medium.symmetry, i);
+    const Samples per_mm = along(context, raw.absorption, axis, "'absorption'");
+    medium.k[i] = along(context, raw.extinction, axis, "'extinction'");
+    for (std::size_t j = 0; j < per_mm.size(); ++j)
+      medium.k[i][j] += extinction(per_mm[j], context.scene.lambda_nm[j]);
+  }
+}
+
+void change_hand(Medium& medium) {
+  for (double& turn : medium.rotation_deg_per_mm) turn = -turn;
+  for (Samples& component : medium.gyration)
+    for (double& g : component) g = -g;
+}
+
+void tell_range(Context& context, const RawMedium& raw) {
+  const auto [least, most] = raw.range_nm;
+  if (most == 0) return;
+  for (double lambda_nm : context.scene.lambda_nm) {
+    if (lambda_nm >= least && lambda_nm <= most) continue;
+    context.warning(raw.range_where, to_text(lambda_nm) + " nm lies outside the range of '" + raw.name +
+                                         "', " + to_text(least) + " to " + to_text(most) +
+                                         " nm: its numbers are carried on beyond what is known");
+    return;
+  }
+}
+
+void tell_polarization(Context& context, const Medium& medium) {
+  if (medium.symmetry != Symmetry::isotropic && !context.scene.settings.polarization)
+    context.warn_once("crystal without polarization", medium.where,
+                      "'polarization off' with a crystal that splits light by its polarization: its two "
+                      "images cannot be right");
+}
+
+Medium make_medium(Context& context, const RawMedium& raw, Symmetry symmetry, Location where) {
   Medium m;
   m.name = raw.name;
   m.where = where;
   m.source = raw.source;
-  m.n.fill(sample_index(context, index_of(raw), raw.index_where, raw.index ? "'index'" : "'ior'"));
+  m.range_nm = raw.range_nm;
+  m.symmetry = symmetry;
+  add_indices(context, raw, m);
+  add_extinctions(context, raw, m);
   m.rotation_deg_per_mm = rotation_samples(context, raw);
-  m.k.fill(extinction_samples(context, raw));
-  m.frame = {OpticFrame{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
+  add_frame_and_gyration(context, raw, m);
+  if (raw.left) change_hand(m);
+  tell_range(context, raw);
+  tell_polarization(context, m);
   return m;
+}
+
+// Null, and told, if it is no medium. `raw`: what holds if the block says nothing else.
+std::shared_ptr<const BoundInterior> read_interior(Context& context, const sdl::Block& block,
+                                                   RawMedium raw = {}) {
+  const std::size_t errors_before = context.error_count();
+  read_block(context, block, interior_schema(context, raw));
+  if (context.error_count() != errors_before) return nullptr;  // what is half read is not sampled
+  const auto symmetry = symmetry_of(context, raw, block.where);
+  if (!symmetry) return nullptr;
+  check_words(context, raw, *symmetry);
+  if (context.error_count() != errors_before) return nullptr;
+  auto bound = std::make_shared<BoundInterior>();
+  bound->medium = make_medium(context, raw, *symmetry, block.where);
+  bound->optic_axis = raw.optic_axis;
+  return bound;
+}
+
+// The medium in its hand and its place in the world.
+Medium placed(const BoundInterior& bound, const Orientation& orientation) {
+  Medium medium = bound.medium;
+  if (orientation.opposite_hand) change_hand(medium);
+  if (medium.symmetry == Symmetry::isotropic) return medium;
+  for (OpticFrame& frame : medium.frame) frame = turned(orientation.crystal, frame);
+  if (bound.optic_axis)
+    medium.frame = {frame_of_axis(turned(orientation.object, normalize(*bound.optic_axis)))};
+  return medium;
 }
 
 // Media of equal values are one, so that many objects share few.
 int index_of_equal(Context& context, Medium medium) {
-  std::vector<double> key = medium.n[0];
-  key.insert(key.end(), medium.k[0].begin(), medium.k[0].end());
-  key.insert(key.end(), medium.rotation_deg_per_mm.begin(), medium.rotation_deg_per_mm.end());
+  std::vector<double> key{static_cast<double>(medium.symmetry)};
+  const auto add = [&](const Samples& s) { key.insert(key.end(), s.begin(), s.end()); };
+  for (const Samples& s : medium.n) add(s);
+  for (const Samples& s : medium.k) add(s);
+  for (const Samples& s : medium.gyration) add(s);
+  add(medium.rotation_deg_per_mm);
+  for (const OpticFrame& frame : medium.frame)
+    for (const Vec3& axis : frame) key.insert(key.end(), {axis.x, axis.y, axis.z});
   std::vector<Medium>& media = context.scene.media;
-  const auto [at, is_new] = context.medium_of_values.emplace(std::move(key), media.size());
+  const auto [at, is_new] =
+      context.medium_of_values.emplace(std::move(key), static_cast<int>(media.size()));
   if (is_new) media.push_back(std::move(medium));
   return at->second;
 }
 
-// A table or constant under the words of AbsorptionFormula.
-void bind_absorption(Context& context, const char* name, const Args& args,
-                     AbsorptionFormula& formula, Location& where) {
-  formula = {};
-  where = args.where;
-  const std::size_t errors_before = context.error_count();
-  read_block(context, *args.block, absorption_schema(context, name, formula));
-  if (formula.kind == AbsorptionFormula::Kind::none && context.error_count() == errors_before)
-    context.error(args.where, std::string("Expected 'constant' or 'table' in '") + name + "'");
-}
-
-void bind_rotation(Context& context, const Args& args, RawMedium& raw) {
-  raw.rotation = {};
-  raw.rotation_where = args.where;
-  const std::size_t errors_before = context.error_count();
-  read_block(context, *args.block, rotation_schema(context, raw.rotation));
-  if (raw.rotation.kind == RotationFormula::Kind::none && context.error_count() == errors_before)
-    context.error(args.where, "Expected a formula or table in 'rotation'");
+std::array<double, 9> numbers_of(const OpticFrame& frame) {
+  return {frame[0].x, frame[0].y, frame[0].z, frame[1].x, frame[1].y,
+          frame[1].z, frame[2].x, frame[2].y, frame[2].z};
 }
 
 }  // namespace
 
-Schema rotation_schema(Context& context, RotationFormula& formula) {
-  using Kind = RotationFormula::Kind;
-  Context* c = &context;
-  RotationFormula* f = &formula;
-  const auto set = [f](Kind kind) {
-    return [f, kind](const Args& a) {
-      f->kind = kind;
-      f->coefficients = a.numbers;
-    };
-  };
-  const auto set_table = [=](const Args& a) {
-    f->kind = Kind::table;
-    f->points = table_points(*c, a);
-  };
-  return {
-      "rotation",
-      {{"constant", "n", set(Kind::constant), "deg/mm, > 0 dextro: clockwise facing the source"},
-       {"biot", "N", set(Kind::biot), "A[, B]: A/l^2 + B/l^4 (deg/mm, l in um)"},
-       {"drude", "N", set(Kind::drude),
-        "A1, L1, A2, L2, ...[, C]: C + sum A/(l^2 - L), L = lambda_i^2 in um^2"},
-       {"chandrasekhar", "N", set(Kind::chandrasekhar),
-        "k, lambda0: k l^2/(l^2 - lambda0^2)^2, lambda0 in um"},
-       {"table", "{}", set_table, "nm, deg/mm, ..."},
-       {"table", "N", set_table, "the same without braces"},
-       {"scale", "n", [=](const Args& a) { f->scale *= a.numbers[0]; }, "factor"},
-       {"left", "b", [=](const Args& a) { f->scale *= a.numbers[0] != 0 ? -1 : 1; },
-        "the left-handed crystal: changes the sign"}},
-      {}};
-}
-
-Schema absorption_schema(Context& context, const char* name, AbsorptionFormula& formula) {
-  using Kind = AbsorptionFormula::Kind;
-  Context* c = &context;
-  AbsorptionFormula* f = &formula;
-  const auto set_table = [=](const Args& a) {
-    f->kind = Kind::table;
-    f->points = table_points(*c, a);
-  };
-  return {name,
-          {{"constant", "n",
-            [=](const Args& a) {
-              f->kind = Kind::constant;
-              f->per_mm = a.numbers[0];
-            },
-            "the same at every wavelength"},
-           {"table", "{}", set_table, "nm, value, ..."},
-           {"table", "N", set_table, "the same without braces"}},
-          {}};
-}
-
-Schema interior_schema(Context& context, RawMedium& raw) {
-  Context* c = &context;
-  RawMedium* r = &raw;
-  return {
-      "interior",
-      {{"ior", "n",
-        [=](const Args& a) {
-          r->ior = a.numbers[0];
-          r->index.reset();
-          r->index_where = a.where;
-        },
-        "refractive index, as POV-Ray's"},
-       {"dispersion", "n", [=](const Args& a) { r->dispersion = a.numbers[0]; },
-        "POV-Ray's n(violet)/n(red), with `ior`"},
-       {"index", "{}",
-        [=](const Args& a) {
-          r->index_where = a.where;
-          bind_index(*c, "index", *a.block, r->index.emplace());
-        },
-        "refractive index by formula or table"},
-       {"rotation", "{}", [=](const Args& a) { bind_rotation(*c, a, *r); },
-        "of the plane of polarization"},
-       {"absorption", "{}",
-        [=](const Args& a) {
-          bind_absorption(*c, "absorption", a, r->absorption, r->absorption_where);
-        },
-        "of intensity, per mm"},
-       {"extinction", "{}",
-        [=](const Args& a) {
-          bind_absorption(*c, "extinction", a, r->extinction, r->extinction_where);
-        },
-        "the coefficient k, in place of absorption or added to it"},
-       {"source", "s", [=](const Args& a) { r->source = a.text; }, "where the numbers are from"},
-       {"name", "s", [=](const Args& a) { r->name = a.text; }, "for messages"}},
-      {{"%s of an interior is not rendered; 'absorption { }' dims by the path",
-        true,
-        {"fade_distance", "fade_power", "fade_color", "fade_colour"}},
-       {"%s of an interior is not rendered", true, {"caustics", "media"}},
-       {"%s is accepted: the scene's 'wavelengths' say what is computed",
-        false,
-        {"dispersion_samples"}}}};
-}
-
-std::optional<int> bind_medium(Context& context, const sdl::Block& interior) {
-  const auto known = context.medium_of_block.find(&interior);
-  if (known != context.medium_of_block.end()) return known->second;
-  const std::size_t errors_before = context.error_count();
-  RawMedium raw;
-  read_block(context, interior, interior_schema(context, raw));
-  std::optional<int> medium;
-  if (context.error_count() != errors_before) {
-    // Told already; what is half read is not sampled.
-  } else if (raw.index || raw.ior) {
-    medium = index_of_equal(context, make_medium(context, raw, interior.where));
-  } else {
-    context.error(interior.where, "this interior has no index: 'ior' or 'index { }' gives it one");
-  }
-  return context.medium_of_block[&interior] = medium;
+std::optional<int> bind_medium(Context& context, const sdl::Block& interior,
+                               const Orientation& orientation) {
+  const auto [at, unread] = context.interior_of_block.try_emplace(&interior);
+  if (unread) at->second = read_interior(context, interior);
+  const BoundInterior* bound = at->second.get();
+  if (!bound) return std::nullopt;
+  std::array<double, 9> lie{};
+  if (bound->medium.symmetry != Symmetry::isotropic)
+    lie = numbers_of(bound->optic_axis ? orientation.object : orientation.crystal);
+  const std::tuple key{&interior, orientation.opposite_hand, lie};
+  const auto known = context.medium_of_placed.find(key);
+  if (known != context.medium_of_placed.end()) return known->second;
+  const int medium = index_of_equal(context, placed(*bound, orientation));
+  context.medium_of_placed.emplace(key, medium);
+  return medium;
 }
 
 void bind_surroundings(Context& context, const sdl::Block& block) {
@@ -210,11 +189,15 @@ void bind_surroundings(Context& context, const sdl::Block& block) {
              {"surroundings",
               {{"interior", "{}", [&](const Args& a) { interior = a.block; }, "the medium around"}},
               {}});
-  RawMedium raw;
-  raw.ior = 1;
-  raw.name = "surroundings";
-  if (interior) read_block(context, *interior, interior_schema(context, raw));
-  context.scene.media[0] = make_medium(context, raw, block.where);
+  if (!interior) return;
+  RawMedium vacuum;
+  vacuum.name = "surroundings";
+  vacuum.vacuum = true;
+  const auto bound = read_interior(context, *interior, vacuum);
+  if (!bound) return;
+  if (bound->medium.symmetry != Symmetry::isotropic)
+    return context.error(interior->where, "the surroundings must be isotropic: an 'ior' or 'index { }'");
+  context.scene.media[0] = bound->medium;
 }
 
 }  // namespace nicol

@@ -4,7 +4,7 @@
 
 #include "host/bind/parts.hpp"
 #include "host/bind/units.hpp"
-#include "host/bind/vec.hpp"
+#include "host/vec.hpp"
 
 namespace nicol {
 
@@ -23,12 +23,18 @@ auto nearest(const Chain* chain, Member member) -> decltype(chain->raw->*member)
   return chain->raw->*member;
 }
 
-Affines all_transforms(Context& context, const Chain* chain) {
+// In POV-Ray's space: the object's own, then those around it.
+Affines transforms_of(const Chain* chain) {
   Affines all;
-  const RawObject& leaf = *chain->raw;
-  if (leaf.block->name == "crystal") all.push_back(from_crystal());
   for (; chain; chain = chain->outer)
     all.insert(all.end(), chain->raw->transforms.begin(), chain->raw->transforms.end());
+  return all;
+}
+
+Affines all_transforms(Context& context, const Chain* chain) {
+  const RawObject& leaf = *chain->raw;
+  Affines all = transforms_of(chain);
+  if (leaf.block->name == "crystal") all.insert(all.begin(), from_crystal());
   all.push_back(to_world(context.scene.settings.mm_per_unit));
   context.transform_count += all.size();
   if (context.transform_count > context.limits.transforms) {
@@ -147,8 +153,10 @@ void add_face_lights(Context& context, const Chain* chain, const ConvexShape& sh
 
 void tell_mirror(Context& context, const Chain* chain, const Object& object) {
   if (!object.medium) return;
-  const Samples& rotation = context.scene.media[*object.medium].rotation_deg_per_mm;
-  const bool turns = std::any_of(rotation.begin(), rotation.end(), [](double a) { return a != 0; });
+  const Medium& medium = context.scene.media[*object.medium];
+  const Samples& rotation = medium.rotation_deg_per_mm;
+  const bool turns = medium.is_active() || std::any_of(rotation.begin(), rotation.end(),
+                                                       [](double a) { return a != 0; });
   double sign = 1;
   for (const Chain* c = chain; c; c = c->outer) sign *= determinant_sign(c->raw->transforms);
   if (sign < 0 && (turns || object.kind == "crystal"))
@@ -160,7 +168,8 @@ void tell_mirror(Context& context, const Chain* chain, const Object& object) {
 
 void fill_solid(Context& context, const Chain* chain, bool shines_all_over, Object& object) {
   if (const sdl::Block* interior = nearest(chain, &RawObject::interior)) {
-    object.medium = bind_medium(context, *interior);
+    object.medium = bind_medium(context, *interior,
+                                orientation_of(transforms_of(chain), chain->raw->crystal_frame));
   } else if (shines_all_over) {
     object.medium = 0;  // nothing sees its inside
   } else {
@@ -232,7 +241,7 @@ void add_object(Context& context, const sdl::Block& block, const Chain* outer) {
   } else if (raw.sound) {
     add_leaf(context, &chain);
   } else if (const sdl::Block* interior = nearest(&chain, &RawObject::interior)) {
-    bind_medium(context, *interior);  // the errors of its medium are told as well
+    bind_medium(context, *interior, {});  // the errors of its medium are told as well
   }
 }
 

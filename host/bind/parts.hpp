@@ -3,6 +3,7 @@
 #include "host/bind/affine.hpp"
 #include "host/bind/schema.hpp"
 #include "host/optics/colour.hpp"
+#include "host/optics/crystal.hpp"
 #include "host/optics/media.hpp"
 
 namespace nicol {
@@ -68,29 +69,104 @@ Schema luminous_schema(Context& context, RawLuminous& raw);
 Schema sky_schema(Context& context, const char* name, const sdl::Block*& spectrum,
                   std::optional<SpectrumFormula>& colour);
 
-// ---- medium.cpp and index.cpp ----
+// ---- orientation.cpp: how a crystal lies in the world ----
+// Of one individual in its object: turned by `extra` in crystal axes before from_crystal() (the second
+// of a twin), and of the opposite hand.
+struct CrystalFrame {
+  Affine extra;
+  bool opposite_hand = false;
+};
+// Where unit vectors point in the world: the crystal's X, Y, Z (right-handed) and the object's x, y, z
+// (POV-Ray's, left-handed). Both orthonormal, exact where the rotations are by multiples of 90 degrees.
+struct Orientation {
+  OpticFrame crystal, object;
+  bool opposite_hand = false;
+};
+// Of the transforms (the object's own first, then those around it, without from_crystal() and to_world())
+// only the rotation counts: that of the polar decomposition. Stretching does not distort a crystal, and
+// mirroring turns it as the inversion of the mirror does (its tensor is the same), but keeps its hand.
+Orientation orientation_of(const Affines& transforms, const CrystalFrame& frame = {});
+Vec3 turned(const OpticFrame& axes, Vec3 v);  // axes[0] v.x + axes[1] v.y + axes[2] v.z
+OpticFrame turned(const OpticFrame& axes, const OpticFrame& frame);
+OpticFrame frame_of_axis(Vec3 axis);  // right-handed, `axis` last; the unit vector's others at will
+
+// ---- index.cpp ----
 Schema index_schema(Context& context, const char* name, IndexFormula& formula);
 void bind_index(Context& context, const char* name, const sdl::Block& block, IndexFormula& formula);
 // Samples at the scene's wavelengths; tells where the formula has no value.
 Samples sample_index(Context& context, const IndexFormula& formula, Location where,
                      const std::string& what);
+std::vector<std::pair<double, double>> table_points(Context& context, const Args& args);
+Samples sample(Context& context, Location where, const std::string& what,
+               const std::function<double(double)>& value_at_nm);
+
+// ---- optic_frame.cpp: the principal axes in the crystal's Cartesian axes ----
+struct RawOpticFrame {
+  std::array<std::optional<Vec3>, 3> axis;           // alpha, beta, gamma
+  std::optional<Vec3> about;                         // what the frame turns about
+  std::vector<std::pair<double, double>> turn;       // nm, deg, right-handed
+  Location where;
+};
+Schema optic_frame_schema(Context& context, RawOpticFrame& raw);
+// Right-handed, one or one per wavelength. `left_handed`: the text's axes are, gamma was turned over.
+std::vector<OpticFrame> optic_frames(Context& context, const RawOpticFrame& raw, bool& left_handed);
+
+// ---- medium_words.cpp: what an interior says, before it means anything ----
+namespace principal {
+enum Axis { ordinary, extraordinary, alpha, beta, gamma, count };
+extern const std::array<const char*, count> names;
+}
+struct RawAbsorption {  // of kind none: not said
+  AbsorptionFormula every;
+  std::array<AbsorptionFormula, principal::count> along;
+  Location where;
+};
+struct RawGyration {
+  std::optional<double> ratio;  // g11/g33 of a uniaxial crystal with a rotation
+  GyrationFormula formula;
+  Location where;
+};
 struct RawMedium {
   std::optional<double> ior;
   double dispersion = 1;
   std::optional<IndexFormula> index;
+  std::array<std::optional<IndexFormula>, principal::count> index_along;
   RotationFormula rotation;
-  AbsorptionFormula absorption, extinction;  // of extinction: the coefficient k in place of 1/mm
-  Location index_where, rotation_where, absorption_where, extinction_where;
+  RawAbsorption absorption, extinction;  // per mm; the coefficient k
+  std::optional<RawGyration> gyration;
+  std::optional<RawOpticFrame> optic_frame;
+  std::optional<Vec3> optic_axis;
+  bool left = false;
+  bool vacuum = false;  // where it says no index
+  std::array<double, 2> range_nm{};
+  Location index_where, rotation_where, optic_axis_where, range_where;
+  std::array<Location, principal::count> index_along_where;
   std::string name = "interior", source;
 };
 Schema interior_schema(Context& context, RawMedium& raw);
 Schema rotation_schema(Context& context, RotationFormula& formula);
-Schema absorption_schema(Context& context, const char* name, AbsorptionFormula& formula);
-std::optional<int> bind_medium(Context& context, const sdl::Block& interior);
+Schema absorption_schema(Context& context, const char* name, RawAbsorption& raw);
+Schema gyration_schema(Context& context, RawGyration& raw);
+
+// ---- crystal_medium.cpp: symmetry, frame and activity of anisotropic media ----
+// nullopt, and told, if the words for indices do not go together.
+std::optional<Medium::Symmetry> symmetry_of(Context& context, const RawMedium& raw, Location where);
+// The word for principal value i (0..2).
+principal::Axis principal_axis(Medium::Symmetry symmetry, int i);
+// Tells what does not belong to a medium of this symmetry.
+void check_words(Context& context, const RawMedium& raw, Medium::Symmetry symmetry);
+// Frame in crystal axes and gyration of a medium that has its indices.
+void add_frame_and_gyration(Context& context, const RawMedium& raw, Medium& medium);
+
+// ---- medium.cpp: media, sampled, each in its orientation once ----
+// What an interior block gives, once for all objects that hold it.
+struct BoundInterior {
+  Medium medium;                   // `frame` in the crystal's Cartesian axes
+  std::optional<Vec3> optic_axis;  // in the object's axes, in place of `frame`
+};
+std::optional<int> bind_medium(Context& context, const sdl::Block& interior,
+                               const Orientation& orientation);
 void bind_surroundings(Context& context, const sdl::Block& block);
-std::vector<std::pair<double, double>> table_points(Context& context, const Args& args);
-Samples sample(Context& context, Location where, const std::string& what,
-               const std::function<double(double)>& value_at_nm);
 
 // ---- object_words.cpp: what a block of an object says, before it means anything ----
 struct RawObject {
@@ -101,6 +177,7 @@ struct RawObject {
   std::vector<HalfSpace> facets;              // crystal
   std::vector<const sdl::Block*> children;
   Affines transforms;
+  CrystalFrame crystal_frame;
   const sdl::Block* interior = nullptr;
   const sdl::Block* polarizer = nullptr;
   std::vector<const sdl::Block*> lights;

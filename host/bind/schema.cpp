@@ -24,6 +24,8 @@ const char* expected_name(char kind) {
       return "2D vector expression";
     case 'c':
       return "color expression";
+    case 'd':
+      return "vector expression', 'a', 'b' or 'c";
     case 's':
       return "string expression";
     default:
@@ -138,6 +140,8 @@ class Reader {
       case 'w':
       case 's':
         return take_text(kind, args);
+      case 'd':
+        return take_direction(args);
       default:
         return take_one(kind, args);
     }
@@ -173,6 +177,19 @@ class Reader {
     if (!text) return missing(kind);
     args.text = *text;
     ++at_;
+    return true;
+  }
+
+  bool take_direction(Args& args) {
+    const std::string* word = at_ < block_.items.size() ? block_.items[at_].word() : nullptr;
+    const bool is_axis = word && (*word == "a" || *word == "b" || *word == "c");
+    const std::vector<double> v = components();
+    if (!is_axis && v.size() != 3) return missing('d');
+    if (is_axis)
+      args.vectors.push_back(
+          {*word == "a" ? 1. : 0., *word == "b" ? 1. : 0., *word == "c" ? 1. : 0.});
+    else if (!take_one('v', args)) return false;
+    at_ += is_axis;
     return true;
   }
 

@@ -15,7 +15,7 @@ struct Args {
   Location where;                             // of the word, or of the block's name
   const sdl::Block* block = nullptr;          // kind "{}"
   std::vector<double> numbers;                // kinds n, b and N; 12 of a matrix
-  std::vector<Vec3> vectors;                  // kinds v and V
+  std::vector<Vec3> vectors;                  // kinds v, V and d
   std::vector<std::array<double, 2>> points;  // kinds p and P
   std::vector<double> tuple;                  // kind t: components of a vector of any size
   std::string text;                           // kinds s and w
@@ -25,7 +25,7 @@ struct Args {
 // Kinds of arguments, one letter each:
 //   n number   b on/off, may be left out (on)   v 3-vector (a number is promoted)   m 12-vector
 //   p 2-vector t vector of any size, or a number   c colour (or vector, or number)   s string   w
-//   word
+//   word     d direction: a 3-vector, or one of the words a, b, c for <1,0,0>, <0,1,0>, <0,0,1>
 //   * whatever values follow, unread
 //   N, V, P    as many numbers, vectors, points as follow (at least one)
 //   {}         the rule is a block of this name;  [ ] nothing: a bare word

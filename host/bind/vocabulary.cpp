@@ -20,6 +20,9 @@ std::string arguments(const Rule& rule) {
       case 'v':
         text += " <x,y,z>";
         break;
+      case 'd':
+        text += " <x,y,z>|a|b|c";
+        break;
       case 'm':
         text += " <12 numbers>";
         break;
@@ -85,7 +88,9 @@ std::string vocabulary() {
   SpectrumFormula spectrum;
   IndexFormula index;
   RotationFormula rotation;
-  AbsorptionFormula absorption;
+  RawAbsorption absorption;
+  RawGyration gyration;
+  RawOpticFrame optic_frame;
   std::vector<double> lambda_nm;
   std::string out;
   print(out, settings_schema(context, settings));
@@ -98,6 +103,8 @@ std::string vocabulary() {
   print(out, index_schema(context, "index", index));
   print(out, rotation_schema(context, rotation));
   print(out, absorption_schema(context, "absorption", absorption));
+  print(out, gyration_schema(context, gyration));
+  print(out, optic_frame_schema(context, optic_frame));
   for (const std::string& kind : object_names()) {
     RawObject object;
     print(out, object_schema(context, kind.c_str(), object));

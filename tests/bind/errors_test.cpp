@@ -31,7 +31,8 @@ const Bad bad[] = {
      "box has no interior with an index; nicol renders transparent crystals, polarizers and "
      "lights"},
     {"box { 0, 1 interior { rotation { constant 3 } } }", 2,
-     "this interior has no index: 'ior' or 'index { }' gives it one"},
+     "this interior has no index: 'ior' or 'index { }' gives it one, 'ordinary { }' and "
+     "'extraordinary { }' or 'alpha { }', 'beta { }' and 'gamma { }' those of a crystal"},
     {"box { 0, 1 interior { index { } } }", 2, "Expected a formula or table in 'index'"},
     {"box { 0, 1 interior { index { formula 2, 1, 2 } } }", 2,
      "'index': formula 2 takes 1 + 2m coefficients, 2 given"},
