@@ -18,18 +18,6 @@ bool cuts(const ExactPlane& edge, const Polygon& polygon) {
                      [&](const ExactPoint& corner) { return side(edge, corner) > 0; });
 }
 
-// Two convex polygons of one plane share an area unless a line through an edge of either parts
-// them.
-bool share_area(const Polygon& a, const Polygon& b) {
-  for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
-    for (const ExactPlane& edge : one->edges) {
-      const auto outside = [&](const ExactPoint& corner) { return side(edge, corner) >= 0; };
-      if (std::all_of(other->corners.begin(), other->corners.end(), outside)) return false;
-    }
-  }
-  return true;
-}
-
 bool coplanar(const ExactPlane& a, const ExactPlane& b) { return same(a, b) || opposite(a, b); }
 
 class ContactFinder {

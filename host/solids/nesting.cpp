@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "cells.hpp"
 #include "disc.hpp"
 #include "sweep.hpp"
 
@@ -74,13 +75,6 @@ int depth(const Nesting& nesting, int part) {
   int levels = 0;
   for (; part >= 0; part = nesting.parent[part]) ++levels;
   return levels;
-}
-
-bool disjoint(const Bounds& a, const Bounds& b) {
-  for (int k = 0; k < 3; ++k) {
-    if (a.high[k] < b.low[k] || b.high[k] < a.low[k]) return true;
-  }
-  return false;
 }
 
 }  // namespace

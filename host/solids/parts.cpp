@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 #include <limits>
 #include <optional>
 
+#include "csg.hpp"
 #include "flat.hpp"
+#include "leaves.hpp"
 #include "planar.hpp"
 
 namespace nicol::solids {
@@ -28,15 +31,9 @@ class Maker {
       : object_(object), index_(index), parts_(parts), diagnostics_(diagnostics) {}
 
   void run() {
-    for (const Affine& affine : object_.transforms) {
-      for (const auto& row : affine.m) {
-        if (!std::all_of(row.begin(), row.end(), [](double v) { return finite(v); })) {
-          return error("has a transform that is not finite");
-        }
-      }
-    }
+    const std::string wrong = wrong_with(object_.transforms);
+    if (!wrong.empty()) return error(wrong);
     affine_.emplace(object_.transforms);
-    if (affine_->singular()) return error("is flattened by its transforms (a scale of 0?)");
     std::visit([this](const auto& shape) { make(shape); }, object_.shape);
   }
 
@@ -53,7 +50,6 @@ class Maker {
 
   // ---- solids ----
   void add_solid(Polyhedron body) {
-    body.transform(*affine_);
     Bounds bounds = bounds_of(body.corners);
     parts_.solids.push_back({index_, std::move(body), bounds});
   }
@@ -72,58 +68,27 @@ class Maker {
     return std::move(found.body);
   }
 
-  void make(const ConvexShape& shape) {
-    std::vector<ExactPlane> planes;
-    for (std::size_t i = 0; i < shape.faces.size(); ++i) {
-      const HalfSpace& face = shape.faces[i];
-      const bool no_direction = face.normal.x == 0 && face.normal.y == 0 && face.normal.z == 0;
-      if (!finite(face.normal) || !finite(face.offset) || no_direction) {
-        return error("has a face " + std::to_string(i) + " without direction or place");
-      }
-      planes.emplace_back(face);
-    }
-    std::optional<Polyhedron> body = enclosed(planes);
-    if (body) add_solid(std::move(*body));
-  }
-
-  void make(const PrismShape& shape) {
-    if (!finite_contours(shape.contours) || !finite(shape.y_min) || !finite(shape.y_max)) {
-      return error("has a number that is not finite");
-    }
-    const double y_min = std::min(shape.y_min, shape.y_max),
-                 y_max = std::max(shape.y_min, shape.y_max);
-    if (y_min == y_max) return error("has no height");
-    const std::vector<PlanarPiece> pieces = convex_pieces(shape.contours);
-    if (pieces.empty()) return error("has an outline that encloses no area");
-    for (const PlanarPiece& piece : pieces) {
-      std::vector<ExactPlane> planes{ExactPlane(HalfSpace{{0, -1, 0}, -y_min}),
-                                     ExactPlane(HalfSpace{{0, 1, 0}, y_max})};
-      for (int i = 0; i < size_of(piece.corners); ++i) {
-        // The line through two points of the plane is their cross product, negative on the right.
-        const Integer3 line =
-            cross(piece.corners[i], piece.corners[(i + 1) % size_of(piece.corners)]);
-        planes.emplace_back(Integer4{-line[0], 0, -line[1], -line[2]});
-      }
-      Polyhedron body = *enclosed(planes);
-      for (Polyhedron::Face& face : body.faces) {
-        if (face.tag < 2) continue;
-        const int edge = piece.edges[face.tag - 2];
-        face.tag = edge < 0 ? -1 : edge + 2;
-      }
-      std::stable_sort(body.faces.begin(), body.faces.end(), [](const auto& a, const auto& b) {
+  void make_leaf(const Leaf& leaf) {
+    if (!leaf.wrong.empty()) return error(leaf.wrong);
+    for (const Leaf::Piece& piece : leaf.pieces) {
+      std::optional<Polyhedron> body = enclosed(piece.planes);
+      if (!body) return;
+      for (Polyhedron::Face& face : body->faces) face.tag = piece.tags[face.tag];
+      std::stable_sort(body->faces.begin(), body->faces.end(), [](const auto& a, const auto& b) {
         return std::make_pair(a.tag < 0, a.tag) < std::make_pair(b.tag < 0, b.tag);
       });
-      add_solid(std::move(body));
+      body->transform(*affine_);
+      add_solid(std::move(*body));
     }
   }
 
-  static bool finite_contours(const std::vector<std::vector<std::array<double, 2>>>& contours) {
-    for (const auto& contour : contours) {
-      for (const auto& p : contour) {
-        if (!finite(p[0]) || !finite(p[1])) return false;
-      }
-    }
-    return true;
+  void make(const ConvexShape& shape) { make_leaf(leaf_of(shape)); }
+  void make(const PrismShape& shape) { make_leaf(leaf_of(shape)); }
+
+  void make(const CsgShape& shape) {
+    CsgResult result = make_csg(shape, object_.transforms);
+    if (!result.wrong.empty()) return diagnostics_.error(result.where, result.wrong);
+    for (Polyhedron& cell : result.cells) add_solid(std::move(cell));
   }
 
   // ---- sheets ----
@@ -222,7 +187,6 @@ class Maker {
     }
     parts_.sheets.push_back(std::move(sheet));
   }
-
 };
 
 }  // namespace

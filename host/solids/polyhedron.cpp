@@ -151,8 +151,6 @@ Polygon Polyhedron::polygon(int face) const {
   return out;
 }
 
-namespace {
-
 // A cube around every point where three of the planes can meet: by Cramer's rule such a point is a
 // ratio of 3x3 determinants of the integers, below 6 x 2^(3 bits), over an integer of at least 1.
 // It is larger still, so that its corners show the directions in which the planes are open.
@@ -173,15 +171,20 @@ Polyhedron far_cube(const std::vector<ExactPlane>& planes) {
   for (int f = 0; f < 6; ++f) {
     Integer4 plane{0, 0, 0, Integer(-far)};
     plane[f / 2] = f % 2 ? 1 : -1;
-    cube.faces.push_back({ExactPlane(std::move(plane)), -1, loops[f], {}});
+    cube.faces.push_back({ExactPlane(std::move(plane)), far_tag, loops[f], {}});
   }
   return cube;
 }
 
-Vec3 mean_direction(const Polyhedron& body) {
+bool is_open(const Polyhedron& body) {
+  return std::any_of(body.faces.begin(), body.faces.end(),
+                     [](const Polyhedron::Face& face) { return face.tag == far_tag; });
+}
+
+Vec3 open_towards(const Polyhedron& body) {
   Vec3 sum;
   for (const Polyhedron::Face& face : body.faces) {
-    if (face.tag >= 0) continue;
+    if (face.tag != far_tag) continue;
     for (int corner : face.corners) {
       const auto& p = body.corners[corner].approx;
       const double size = std::hypot(p[0], p[1], p[2]);
@@ -193,8 +196,6 @@ Vec3 mean_direction(const Polyhedron& body) {
   return {tidy(sum.x), tidy(sum.y), tidy(sum.z)};
 }
 
-}  // namespace
-
 Enclosure enclose(const std::vector<ExactPlane>& planes) {
   Enclosure out;
   out.body = far_cube(planes);
@@ -204,11 +205,9 @@ Enclosure enclose(const std::vector<ExactPlane>& planes) {
     out.emptied_by = i;
     return out;
   }
-  const bool open = std::any_of(out.body.faces.begin(), out.body.faces.end(),
-                                [](const Polyhedron::Face& face) { return face.tag < 0; });
-  if (open) {
+  if (is_open(out.body)) {
     out.state = Enclosure::State::unbounded;
-    out.open_towards = mean_direction(out.body);
+    out.open_towards = open_towards(out.body);
     return out;
   }
   std::sort(out.body.faces.begin(), out.body.faces.end(),
@@ -245,6 +244,18 @@ Relation relate(const Polyhedron& a, const Polyhedron& b) {
     if (common.cut(face.plane, -1) == Cut::empties) return Relation::apart;
   }
   return Relation::overlap;
+}
+
+// Two convex polygons of one plane share an area unless a line through an edge of either parts
+// them.
+bool share_area(const Polygon& a, const Polygon& b) {
+  for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    for (const ExactPlane& edge : one->edges) {
+      const auto outside = [&](const ExactPoint& corner) { return side(edge, corner) >= 0; };
+      if (std::all_of(other->corners.begin(), other->corners.end(), outside)) return false;
+    }
+  }
+  return true;
 }
 
 bool clip(Polygon& polygon, const ExactPlane& plane) {

@@ -17,7 +17,13 @@ struct Polygon {
   std::vector<ExactPlane> edges;
 };
 
+// Whether two polygons of one plane share an area.
+bool share_area(const Polygon& a, const Polygon& b);
+
 enum class Cut { misses, cuts, empties };
+
+// Face tags below 0: where parts of one solid meet, and where it is open.
+constexpr int seam_tag = -1, far_tag = -2;
 
 class Polyhedron {
  public:
@@ -47,6 +53,11 @@ struct Enclosure {
   Vec3 open_towards;    // unbounded: a direction without end
 };
 Enclosure enclose(const std::vector<ExactPlane>& planes);
+
+// A cube around every point where three of the planes can meet; its faces carry far_tag.
+Polyhedron far_cube(const std::vector<ExactPlane>& planes);
+bool is_open(const Polyhedron& body);  // reaches the far cube
+Vec3 open_towards(const Polyhedron& body);
 
 // How the closed bodies lie to each other.
 enum class Relation { apart, a_holds_b, b_holds_a, equal, overlap };
