@@ -1,227 +1,153 @@
-// Plane waves of biaxial and of anisotropic active media that leave a face: frozen-polarization quadratic.
-//
-// Forward waves, wave vector (q, 0, p) in (t, u, N), kk^2 = q^2 + p^2, v = (q N - p t)/kk, so that (u, v, s) is right-handed.
-// a = n2bar eta - I (deviatoric), g = kk k.gq.k; D = e1 u + e2 v is an eigenvector of the section
-//   M(p) = [[m11, m12 + i g], [m12 - i g, m22]],  m11 = kk^2 a_uu,  m12 = kk (q a_uN - p a_ut),
-//   m22 = q^2 a_NN - 2 q p a_tN + p^2 a_tt,  p^2 - (n2bar - q^2) + lambda(p) = 0;  fast: larger lambda, slow: smaller.
-// With the polarization frozen, (p^2 - ...) + e*.M(p).e is A p^2 + 2 B p + C but for the slow kk: one step p = (sqrt(B^2 - A C) - B)/A.
-// It is Newton's method on the exact sheet (Hellmann-Feynman: dlambda/dp = e*.M'.e) that keeps the curvature, so it passes
-// the critical angle, and A p + B = sqrt(disc) > 0 makes the root forward by flux. Index ellipsoid: Born & Wolf,
-// Principles of Optics, 15.2; wave surface for a given tangential vector: Booker, Phil. Trans. R. Soc. A 237, 411 (1936).
-// Two real roots closer than sqrt(epsilon) nbar are solved together, so that their fields stay flux-orthogonal:
-//   (F + F' (p - p0)) e = 0,  F = (p0^2 - ...) I + M(p0) Hermitian, F' = L L^H.
-// Roots that do not settle: evanescent_waves.h, precise_waves.h. Activity to first order in zeta.
-// Test: tests/kernels/vectors_test.cpp, waves_test.cpp.
+// Plane waves of biaxial and of anisotropic active media that leave a face, by the way that suits each lane:
+// frozen_polarization.h where both waves run, evanescent_waves.h where one does not, precise_waves.h in double for
+// what neither settles (of internal faces 1 in 1000 in minerals; total reflection in crystals of birefringence above 0.5 always).
+// Thresholds: residual and distance below which a complex root or a pair of them is not trusted in single precision, chosen
+// on random faces of 8 pairs of minerals and held on unused ones. Test: tests/kernels/vectors_test.cpp, waves_test.cpp.
 #ifndef NICOL_GENERAL_WAVES_H
 #define NICOL_GENERAL_WAVES_H
-#include "section.h"
+#include "evanescent_waves.h"
+#include "precise_waves.h"
 
-#define FPQ_STEPS (sizeof(scalar) == 8 ? 12 : 8)
-#define FPQ_SETTLED (sizeof(scalar) == 8 ? 1e-10f : 2e-6f)
-#define FPQ_SLACK (sizeof(scalar) == 8 ? 4.5e-8f : 1e-3f)        // 3 sqrt(epsilon)
-#define FPQ_FLOOR (sizeof(scalar) == 8 ? 3.6e-15f : 2e-6f)       // 16 epsilon
-#define CLOSE_PAIR (sizeof(scalar) == 8 ? 1.5e-8f : 3.5e-4f)     // sqrt(epsilon)
+#define EVANESCENT_RESIDUAL (sizeof(scalar) == 8 ? 1e-12f : 1e-5f)
+#define EVANESCENT_LEAST 3e-3f       // Im p/n below which the critical angle is too near
+#define EVANESCENT_CLOSE 3e-5f       // distance of two roots, with overlap of their polarizations^2:
+#define EVANESCENT_ALIKE 0.49f
+#define STRONG_DEVIATION2 0.16f      // |n2bar eta - I|^2 of a birefringence of 0.5
 
-// What the quadratic needs of medium and face. Forward frame: mirrored for backward waves.
-typedef struct {
-  FaceTensor a, g;  // a, gq; g only where active
-  int active;
-  real q, p2, n, inverse_eps;  // p2 = n2bar - q^2
-} GeneralFace;
+// A wave on its way to fields: p and D = e1 u + e2 v.
+typedef struct { cplx p, e1, e2; } FaceWave;
 
-typedef struct {
-  real m11, m12, m22, g, kk;
-} SectionMatrix;
-
-FUNCTION real squared_along(PRIVATE const FaceTensor* a, real q, real p) {
-  return q * q * a->nn + p * (p * a->tt - lanes(2) * q * a->tn);
-}
-
-FUNCTION SectionMatrix section_at(PRIVATE const GeneralFace* f, real p) {
-  SectionMatrix m;
-  real k2 = f->q * f->q + p * p;
-  m.kk = sqrt_of(k2);
-  m.m11 = k2 * f->a.uu;
-  m.m12 = m.kk * (f->q * f->a.un - p * f->a.ut);
-  m.m22 = squared_along(&f->a, f->q, p);
-  m.g = lanes(0);
-  if (f->active) m.g = m.kk * (f->q * (f->q * f->g.tt + lanes(2) * p * f->g.tn) + p * p * f->g.nn);
-  return m;
-}
-
-// A root of one sheet: sign +1 fast, -1 slow.
-typedef struct {
-  real p, step;  // step: length of the last one
-  mask gone;     // the last quadratic had no real root
-} SheetRoot;
-
-FUNCTION SheetRoot sheet_root(PRIVATE const GeneralFace* f, real sign, mask live) {
-  SheetRoot root;
-  root.p = sqrt_of(pick(f->p2 > lanes(0), f->p2, lanes(0)));
-  root.step = lanes(0);
-  root.gone = root.p != root.p;
-  mask moving = live;
-  real q = f->q, middle = lanes(0.5);
-  for (int i = 0; i < FPQ_STEPS && any_lane(moving); ++i) {
-    real p = root.p;
-    SectionMatrix m = section_at(f, p);
-    // weights of the frozen polarization: its projector is I/2 +- (M - mean)/(2 r)
-    real d = middle * (m.m11 - m.m22), r = sqrt_of(d * d + m.m12 * m.m12 + m.g * m.g);
-    mask split = r > lanes(0);
-    real weight = middle * sign / pick(split, r, lanes(1));
-    real tilt = pick(split, weight * d, middle * sign), w11 = middle + tilt, w22 = middle - tilt, rho = weight * m.m12;
-    // quadratic
-    real inverse = lanes(1) / m.kk, c0 = q * q * inverse, c1 = p * inverse;
-    real a = lanes(1) + w11 * f->a.uu * c1 * c1 - lanes(2) * rho * c1 * f->a.ut + w22 * f->a.tt;
-    real b = w11 * f->a.uu * c0 * c1 + rho * (c1 * q * f->a.un - c0 * f->a.ut) - w22 * q * f->a.tn;
-    real c = w11 * f->a.uu * c0 * c0 + lanes(2) * rho * c0 * q * f->a.un + w22 * q * q * f->a.nn +
-             lanes(2) * weight * m.g * m.g - f->p2;
-    real disc = b * b - a * c;
-    real next = (sqrt_of(pick(disc > lanes(0), disc, lanes(0))) - b) / a;
-    root.gone = pick(moving, not_mask(disc > lanes(0)), root.gone);
-    root.step = pick(moving, abs_of(next - p), root.step);
-    root.p = pick(moving, next, p);
-    moving = moving & (root.step > lanes(FPQ_SETTLED));
+FUNCTION Mode fields_of_face_wave(PRIVATE const GeneralFace* f, PRIVATE const FaceTensor* z, PRIVATE const FaceWave* w, int complex_p) {
+  cplx d[3], inverse;
+  if (complex_p) {
+    cplx k2 = cmul(w->p, w->p);
+    k2.re += f->q * f->q;
+    inverse = cdiv(complex_of(lanes(1), lanes(0)), csqrt_of(k2));
+  } else {
+    inverse = complex_of(lanes(1) / sqrt_of(f->q * f->q + w->p.re * w->p.re), lanes(0));
   }
-  return root;
-}
-
-// A real wave: p, D = e1 u + e2 v.
-typedef struct {
-  real p;
-  cplx e1, e2;
-} SheetWave;
-
-// (v + a v)/n2bar
-FUNCTION void impermeability_on_face(PRIVATE const GeneralFace* f, PRIVATE const cplx* v, PRIVATE cplx* out) {
-  PRIVATE const FaceTensor* a = &f->a;
-  out[0] = cadd(cscale(lanes(1) + a->tt, v[0]), cadd(cscale(a->ut, v[1]), cscale(a->tn, v[2])));
-  out[1] = cadd(cscale(a->ut, v[0]), cadd(cscale(lanes(1) + a->uu, v[1]), cscale(a->un, v[2])));
-  out[2] = cadd(cscale(a->tn, v[0]), cadd(cscale(a->un, v[1]), cscale(lanes(1) + a->nn, v[2])));
-  for (int i = 0; i < 3; ++i) out[i] = cscale(f->inverse_eps, out[i]);
-}
-
-FUNCTION cplx add_times_i(cplx a, real s, cplx b) { return complex_of(a.re - s * b.im, a.im + s * b.re); }
-
-// k x e for k = (q, 0, p), complex p.
-FUNCTION void times_wave_vector(real q, cplx p, PRIVATE const cplx* e, PRIVATE cplx* h) {
-  cplx pu = cmul(p, e[1]);
-  h[0] = complex_of(-pu.re, -pu.im);
-  h[1] = csub(cmul(p, e[0]), cscale(q, e[2]));
-  h[2] = cscale(q, e[1]);
-}
-
-// E and h of D with wave vector (q, 0, p): E0 = eta D, E = eta (D - i G x E0), h = k x E + i zeta E.
-FUNCTION Mode fields_of_d(PRIVATE const GeneralFace* f, PRIVATE const FaceTensor* z, cplx p, PRIVATE const cplx* d) {
-  Mode m;
-  m.p = p;
-  impermeability_on_face(f, d, m.e);
-  if (f->active) {
-    real trace = z->tt + z->uu + z->nn, q = f->q;
-    cplx g[3], x[3], bent[3];
-    g[0] = complex_of((z->uu + z->nn) * q - z->tn * p.re, -z->tn * p.im);
-    g[1] = complex_of(-z->ut * q - z->un * p.re, -z->un * p.im);
-    g[2] = complex_of((trace - z->nn) * p.re - z->tn * q, (trace - z->nn) * p.im);
-    for (int i = 0; i < 3; ++i) {
-      int j = (i + 1) % 3, l = (i + 2) % 3;
-      x[i] = csub(cmul(g[j], m.e[l]), cmul(g[l], m.e[j]));
-    }
-    impermeability_on_face(f, x, bent);
-    for (int i = 0; i < 3; ++i) m.e[i] = add_times_i(m.e[i], lanes(-1), bent[i]);
-  }
-  times_wave_vector(f->q, p, m.e, m.h);
-  if (f->active) {
-    m.h[0] = add_times_i(add_times_i(add_times_i(m.h[0], z->tt, m.e[0]), z->ut, m.e[1]), z->tn, m.e[2]);
-    m.h[1] = add_times_i(add_times_i(add_times_i(m.h[1], z->ut, m.e[0]), z->uu, m.e[1]), z->un, m.e[2]);
-    m.h[2] = add_times_i(add_times_i(add_times_i(m.h[2], z->tn, m.e[0]), z->un, m.e[1]), z->nn, m.e[2]);
-  }
-  return m;
-}
-
-FUNCTION Mode fields_of_sheet(PRIVATE const GeneralFace* f, PRIVATE const FaceTensor* z, PRIVATE const SheetWave* w) {
-  real inverse = lanes(1) / sqrt_of(f->q * f->q + w->p * w->p);
-  cplx d[3];
-  d[0] = cscale(-w->p * inverse, w->e2);
+  cplx v_t = cmul(w->p, inverse);
+  d[0] = cmul(complex_of(-v_t.re, -v_t.im), w->e2);
   d[1] = w->e1;
-  d[2] = cscale(f->q * inverse, w->e2);
-  return fields_of_d(f, z, complex_of(w->p, lanes(0)), d);
+  d[2] = cmul(cscale(f->q, inverse), w->e2);
+  return fields_of_d(f, z, w->p, d);
 }
 
-// Both sheets on their own. Returns p_slow - p_fast = (lambda_fast - lambda_slow)/(p_fast + p_slow).
-FUNCTION real sheets_apart(PRIVATE const GeneralFace* f, real p_fast, real p_slow, PRIVATE SheetWave* w) {
-  SectionMatrix m = section_at(f, p_fast), n = section_at(f, p_slow);
-  Eigenpair fast = eigenpair_of(m.m11, m.m22, complex_of(m.m12, m.g));
-  Eigenpair slow = eigenpair_of(n.m11, n.m22, complex_of(n.m12, n.g));
-  w[0].p = p_fast;
-  w[0].e1 = fast.plus1;
-  w[0].e2 = fast.plus2;
-  w[1].p = p_slow;
-  w[1].e1 = complex_of(-slow.plus2.re, slow.plus2.im);
-  w[1].e2 = conj_of(slow.plus1);
-  real sum = p_fast + p_slow, plain = p_slow - p_fast;
-  mask formula = sum > abs_of(plain);
-  real lambdas = (fast.mean - slow.mean) + (fast.radius + slow.radius);
-  return pick(formula, lambdas / pick(formula, sum, lanes(1)), plain);
+FUNCTION mask strongly_birefringent(PRIVATE const FaceTensor* a) {
+  real off = a->un * a->un + a->tn * a->tn + a->ut * a->ut;
+  return a->tt * a->tt + a->uu * a->uu + a->nn * a->nn + lanes(2) * off > lanes(STRONG_DEVIATION2);
 }
 
-// Two real roots close to p0, together. Returns p_slow - p_fast.
-FUNCTION real sheets_together(PRIVATE const GeneralFace* f, real p0, PRIVATE SheetWave* w) {
-  SectionMatrix m = section_at(f, p0);
-  real q = f->q, slope = p0 / m.kk, lin = q * f->a.un - p0 * f->a.ut, two = lanes(2);
-  // F and F'
-  real base = p0 * p0 - f->p2;
-  cplx b = complex_of(m.m12, m.g), db = complex_of(slope * lin - m.kk * f->a.ut, lanes(0));
-  if (f->active)
-    db.im = slope * m.g / m.kk + m.kk * (two * q * f->g.tn + two * p0 * f->g.nn);
-  real f11 = base + m.m11, f22 = base + m.m22;
-  real a1 = two * p0 * (lanes(1) + f->a.uu), a2 = two * (p0 + p0 * f->a.tt - q * f->a.tn);
-  // F' = L L^H, H = L^-1 F L^-H
-  mask sound = a1 > lanes(0);
-  real l1 = sqrt_of(pick(sound, a1, lanes(1))), inverse1 = lanes(1) / l1;
-  cplx l21 = cscale(inverse1, conj_of(db));
-  real rest = a2 - norm2(l21);
-  real inverse2 = lanes(1) / sqrt_of(pick(rest > lanes(0), rest, lanes(1)));
-  real h11 = f11 * inverse1 * inverse1;
-  cplx h12 = cscale(inverse1 * inverse2, csub(b, cscale(f11 * inverse1, conj_of(l21))));
-  cplx g21 = cscale(inverse2, csub(conj_of(b), cscale(f11 * inverse1, l21)));
-  real g22 = inverse2 * (f22 - inverse1 * cmul(l21, b).re);
-  real h22 = inverse2 * (g22 - inverse1 * cmul(g21, conj_of(l21)).re);
-  Eigenpair pair = eigenpair_of(h11, h22, h12);
-  // e = L^-H y, unit
+// Evanescent roots in the lanes where the quadratics had none. Returns the lanes that are not to be trusted.
+FUNCTION mask take_evanescent(PRIVATE const GeneralFace* f, mask gone_fast, mask gone_slow, PRIVATE FaceWave* wave) {
+  mask doubtful = gone_fast & not_mask(gone_fast), both = gone_fast & gone_slow;
   for (int j = 0; j < 2; ++j) {
-    cplx y1 = j == 0 ? pair.plus1 : complex_of(-pair.plus2.re, pair.plus2.im);
-    cplx y2 = j == 0 ? pair.plus2 : conj_of(pair.plus1);
-    cplx e2 = cscale(inverse2, y2), e1 = cscale(inverse1, csub(y1, cmul(conj_of(l21), e2)));
-    real unit = lanes(1) / sqrt_of(norm2(e1) + norm2(e2));
-    w[j].e1 = cscale(unit, e1);
-    w[j].e2 = cscale(unit, e2);
-    w[j].p = p0 - pair.mean - (j == 0 ? pair.radius : -pair.radius);
+    mask gone = j == 0 ? gone_fast : gone_slow;
+    if (!any_lane(gone)) continue;
+    EvanescentRoot root = evanescent_root(f, lanes(j == 0 ? 1 : -1), gone);
+    mask good = (root.residual < lanes(EVANESCENT_RESIDUAL) * f->n * f->n) & (root.p.im > lanes(EVANESCENT_LEAST) * f->n);
+    doubtful = doubtful | (gone & not_mask(good));
+    wave[j].p = cpick(gone, root.p, wave[j].p);
+    wave[j].e1 = cpick(gone, root.e1, wave[j].e1);
+    wave[j].e2 = cpick(gone, root.e2, wave[j].e2);
   }
-  return two * pair.radius;
+  real distance2 = norm2(csub(wave[0].p, wave[1].p)), least = lanes(EVANESCENT_CLOSE) * f->n;
+  mask same = (distance2 < least * least) & (overlap(wave[0].e1, wave[0].e2, wave[1].e1, wave[1].e2) > lanes(EVANESCENT_ALIKE));
+  return doubtful | (both & same);
 }
 
-FUNCTION SheetWave pick_sheet(mask keep, SheetWave a, SheetWave b) {
-  a.p = pick(keep, a.p, b.p);
-  a.e1 = cpick(keep, a.e1, b.e1);
-  a.e2 = cpick(keep, a.e2, b.e2);
-  return a;
+// One lane of face and medium in double: eps = n2bar (I + a)^-1.
+FUNCTION void precise_medium(PRIVATE const precise* a, PRIVATE const precise* zeta, precise eps, PRIVATE PreciseMedium* m) {
+  const int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
+  precise s[3][3];
+  for (int i = 0; i < 6; ++i) {
+    s[row[i]][column[i]] = s[column[i]][row[i]] = a[i] + (row[i] == column[i] ? 1 : 0);
+    m->zeta[row[i]][column[i]] = m->zeta[column[i]][row[i]] = zeta[i];
+  }
+  precise minor[3][3];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      minor[i][j] = s[i1][j1] * s[i2][j2] - s[i1][j2] * s[i2][j1];
+    }
+  precise scale = eps / (s[0][0] * minor[0][0] + s[0][1] * minor[0][1] + s[0][2] * minor[0][2]);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) m->eps[i][j] = pc(scale * minor[i][j], 0);
 }
 
-FUNCTION GeneralFace general_face(PRIVATE const WaveMedium* m, PRIVATE const FaceAxes* f, real p2, int backward) {
-  GeneralFace g;
-  g.a = on_face(m->atil, f, backward);
-  g.g = g.a;
-  if (m->active) g.g = on_face(m->gq, f, backward);
-  g.active = m->active;
-  g.q = f->q;
-  g.p2 = p2;
-  g.n = m->n;
-  g.inverse_eps = lanes(1) / m->eps;
-  return g;
+#define MODE_SCALARS 14
+
+FUNCTION void store_mode(PRIVATE const Mode* m, scalar out[MODE_SCALARS][LANES]) {
+  store_lanes(m->p.re, out[0]);
+  store_lanes(m->p.im, out[1]);
+  for (int i = 0; i < 3; ++i) {
+    store_lanes(m->e[i].re, out[2 + 2 * i]);
+    store_lanes(m->e[i].im, out[3 + 2 * i]);
+    store_lanes(m->h[i].re, out[8 + 2 * i]);
+    store_lanes(m->h[i].im, out[9 + 2 * i]);
+  }
 }
 
-FUNCTION mask not_settled(PRIVATE const GeneralFace* f, PRIVATE const SheetRoot* root) {
-  return not_mask(root->step <= lanes(FPQ_SLACK) * abs_of(root->p) + lanes(FPQ_FLOOR) * f->n);
+FUNCTION void load_mode(scalar in[MODE_SCALARS][LANES], PRIVATE Mode* m) {
+  m->p = complex_of(load_lanes(in[0]), load_lanes(in[1]));
+  for (int i = 0; i < 3; ++i) {
+    m->e[i] = complex_of(load_lanes(in[2 + 2 * i]), load_lanes(in[3 + 2 * i]));
+    m->h[i] = complex_of(load_lanes(in[8 + 2 * i]), load_lanes(in[9 + 2 * i]));
+  }
+}
+
+FUNCTION void put_precise_wave(PRIVATE const PreciseWave* w, int lane, scalar out[MODE_SCALARS][LANES]) {
+  pcplx value[7];
+  value[0] = w->p;
+  value[1] = w->psi[0];
+  value[2] = w->psi[1];
+  value[3] = w->e_n;
+  value[4] = w->psi[2];
+  value[5] = w->psi[3];
+  value[6] = w->h_n;
+  for (int i = 0; i < 7; ++i) {
+    out[2 * i][lane] = (scalar)value[i].re;
+    out[2 * i + 1][lane] = (scalar)value[i].im;
+  }
+}
+
+// Both waves anew, lane by lane, where `doubtful`.
+FUNCTION void take_precise(PRIVATE const GeneralFace* f, PRIVATE const FaceTensor* zeta, real eps, mask doubtful, PRIVATE WavePair* w) {
+  scalar modes[2][MODE_SCALARS][LANES], given[15][LANES], wanted[LANES], gap[LANES];
+  PRIVATE const FaceTensor* tensor[2];
+  tensor[0] = &f->a;
+  tensor[1] = zeta;
+  for (int i = 0; i < 2; ++i) {
+    store_lanes(tensor[i]->tt, given[6 * i]);
+    store_lanes(tensor[i]->uu, given[6 * i + 1]);
+    store_lanes(tensor[i]->nn, given[6 * i + 2]);
+    store_lanes(tensor[i]->un, given[6 * i + 3]);
+    store_lanes(tensor[i]->tn, given[6 * i + 4]);
+    store_lanes(tensor[i]->ut, given[6 * i + 5]);
+    store_mode(&w->mode[i], modes[i]);
+  }
+  store_lanes(eps, given[12]);
+  store_lanes(f->q, given[13]);
+  store_lanes(f->p2, given[14]);
+  store_lanes(w->gap, gap);
+  store_lanes(pick(doubtful, lanes(1), lanes(0)), wanted);
+  for (int lane = 0; lane < LANES; ++lane) {
+    if (wanted[lane] == 0) continue;
+    precise a[6], z[6], n2 = (precise)given[12][lane], q = (precise)given[13][lane], p2 = (precise)given[14][lane];
+    for (int i = 0; i < 6; ++i) {
+      a[i] = (precise)given[i][lane];
+      z[i] = f->active ? (precise)given[6 + i][lane] : 0;
+    }
+    if (q * q > n2 / 4) q = precise_sqrt(n2 - p2);  // p2 knows more of grazing waves than q does
+    PreciseMedium m;
+    precise_medium(a, z, n2, &m);
+    PreciseWave wave[4];
+    precise_waves(&m, pc(q, 0), 1, wave);
+    for (int i = 0; i < 2; ++i) put_precise_wave(&wave[i], lane, modes[i]);
+    gap[lane] = wave[0].runs && wave[1].runs ? (scalar)(wave[1].p.re - wave[0].p.re) : 0;
+  }
+  for (int i = 0; i < 2; ++i) load_mode(modes[i], &w->mode[i]);
+  w->gap = load_lanes(gap);
 }
 
 FUNCTION WavePair general_waves(PRIVATE const WaveMedium* m, PRIVATE const FaceAxes* axes, real p2, int backward, mask live,
@@ -229,28 +155,40 @@ FUNCTION WavePair general_waves(PRIVATE const WaveMedium* m, PRIVATE const FaceA
   GeneralFace f = general_face(m, axes, p2, backward);
   FaceTensor zeta = f.a;
   if (m->active) zeta = on_face(m->zeta, axes, backward);
-  // roots
+  // real roots
   SheetRoot fast = sheet_root(&f, lanes(1), live), slow = sheet_root(&f, lanes(-1), live);
-  mask gone = fast.gone | slow.gone;
-  mask doubtful = live & (gone | not_settled(&f, &fast) | not_settled(&f, &slow));
+  mask gone_fast = live & fast.gone, gone_slow = live & slow.gone, gone = gone_fast | gone_slow;
+  mask doubtful = live & not_mask((fast.gone | settled(&f, &fast)) & (slow.gone | settled(&f, &slow)));
   // polarizations
   SheetWave sheets[2];
   real gap = sheets_apart(&f, fast.p, slow.p, sheets);
-  mask close = abs_of(fast.p - slow.p) < lanes(CLOSE_PAIR) * f.n;
+  mask close = not_mask(gone) & (abs_of(fast.p - slow.p) < lanes(CLOSE_PAIR) * f.n);
   if (any_lane(live & close)) {
     SheetWave both[2];
     real joint_gap = sheets_together(&f, lanes(0.5) * (fast.p + slow.p), both);
     for (int j = 0; j < 2; ++j) sheets[j] = pick_sheet(close, both[j], sheets[j]);
     gap = pick(close, joint_gap, gap);
   }
+  FaceWave wave[2];
+  for (int j = 0; j < 2; ++j) {
+    wave[j].p = complex_of(sheets[j].p, lanes(0));
+    wave[j].e1 = sheets[j].e1;
+    wave[j].e2 = sheets[j].e2;
+  }
+  int some_gone = any_lane(gone);
+  if (some_gone) doubtful = doubtful | take_evanescent(&f, gone_fast, gone_slow, wave) | (gone & strongly_birefringent(&f.a));
   // fields
   WavePair w;
-  for (int j = 0; j < 2; ++j) w.mode[j] = fields_of_sheet(&f, &zeta, &sheets[j]);
-  w.gap = pick(gone, lanes(0), backward ? -gap : gap);
-  *fallbacks += count_lanes(doubtful);
+  for (int j = 0; j < 2; ++j) w.mode[j] = fields_of_face_wave(&f, &zeta, &wave[j], some_gone);
+  w.gap = pick(gone, lanes(0), gap);
+  if (any_lane(doubtful)) {
+    take_precise(&f, &zeta, m->eps, doubtful, &w);
+    *fallbacks += count_lanes(doubtful);
+  }
   if (!backward) return w;
   w.mode[0] = turned_back(w.mode[0]);
   w.mode[1] = turned_back(w.mode[1]);
+  w.gap = -w.gap;
   return w;
 }
 

@@ -1,6 +1,8 @@
 // The only file that knows the difference between OpenCL C 1.2 and C++17, and between one lane and many.
-// Set by the build: LANES (1, 4, 8, 16), REAL_DOUBLE (defined: fp64), SCENE_FEATURES (mask; undefined: generic).
+// Set by the build: LANES (1, 4, 8, 16), REAL_DOUBLE (defined: fp64), SCENE_FEATURES (mask; undefined: generic),
+// NICOL_FP64 (defined: the device has fp64).
 //   scalar  float or double          real      LANES scalars, one per lane
+//   precise double where there is one, else scalar: for the few lanes that need it, one by one
 //   mask    result of comparing reals lane_int  an integer per lane, as wide as scalar
 // pick(m, a, b) takes a where m holds, b elsewhere, lane by lane.
 #ifndef NICOL_PORTABLE_H
@@ -14,9 +16,6 @@
 #define JOIN(a, b) JOIN_(a, b)
 
 #ifdef REAL_DOUBLE
-#ifdef __OPENCL_C_VERSION__
-#pragma OPENCL EXTENSION cl_khr_fp64 : enable
-#endif
 #define SCALAR_NAME double
 #define SCALAR_INT_NAME long
 #else
@@ -25,6 +24,16 @@
 #endif
 typedef SCALAR_NAME scalar;
 typedef SCALAR_INT_NAME scalar_int;
+#if !defined(__OPENCL_C_VERSION__) || defined(REAL_DOUBLE) || defined(NICOL_FP64)
+#ifdef __OPENCL_C_VERSION__
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#endif
+typedef double precise;
+#define PRECISE_IS_DOUBLE 1
+#else
+typedef scalar precise;
+#define PRECISE_IS_DOUBLE 0
+#endif
 #if LANES == 1
 typedef scalar real;
 typedef int mask;
@@ -49,6 +58,8 @@ typedef JOIN(SCALAR_INT_NAME, LANES) lane_int;
 #define add_event(counters, index, n) atomic_add((counters) + (index), (n))
 typedef uint event_count;
 #define sqrt_of(x) sqrt(x)
+#define precise_sqrt(x) sqrt(x)
+#define precise_abs(x) fabs(x)
 #define abs_of(x) fabs(x)
 #define rint_of(x) rint(x)
 #define exp_of(x) exp(x)
@@ -60,6 +71,8 @@ typedef uint event_count;
 #define GLOBAL
 #define PRIVATE
 #define FUNCTION static inline
+FUNCTION precise precise_sqrt(precise x) { return std::sqrt(x); }
+FUNCTION precise precise_abs(precise x) { return std::fabs(x); }
 #if LANES == 1
 FUNCTION real sqrt_of(real x) { return std::sqrt(x); }
 FUNCTION real abs_of(real x) { return std::fabs(x); }
