@@ -69,14 +69,14 @@ FUNCTION Wave wave_of_mode(PRIVATE const FaceAxes* f, PRIVATE const Mode* mode) 
   return w;
 }
 
-FUNCTION real depth_to_exit(PRIVATE const SceneView* view, PRIVATE const Ray* ray) {
+FUNCTION Hit next_exit(PRIVATE const SceneView* view, PRIVATE const Ray* ray) {
   Hit hit;
   hit.depth_mm = FAR_MM;
   hit.normal = ray->direction;
   hit.key = lane_ints(KEY_MISS);
   hit.face = lane_ints(0);
   meet_exits(view, ray, &hit);
-  return hit.depth_mm;
+  return hit;
 }
 
 // Size in mm of a pixel where the path stands, seen straight from the camera.
@@ -96,13 +96,22 @@ FUNCTION real fringe_contrast(real x) {
 FUNCTION real coherent_share(PRIVATE const SceneView* view, PRIVATE const Path* from, PRIVATE const Wave* w, real gap, mask both) {
   Ray mean = from->ray;
   mean.direction = pick3(both, unit3(add3(w[0].ray, w[1].ray)), w[0].ray);
-  real depth = depth_to_exit(view, &mean);
+  Hit exit = next_exit(view, &mean);
+  real depth = exit.depth_mm, footprint = footprint_mm(view, &from->ray);
   vec3 apart = sub3(w[1].ray, w[0].ray);
-  real walk_off = sqrt_of(dot3(apart, apart)) * depth / footprint_mm(view, &from->ray);
+  real walk_off = sqrt_of(dot3(apart, apart)) * depth / footprint;
   real overlap = pick(walk_off < lanes(1), lanes(1) - walk_off, lanes(0));
   int row = view->header[HEADER_WAVELENGTH_ROW];
-  real drift = abs_of(gap) * depth * spectral(view, row) * spectral(view, row + 1);
-  real share = (overlap * fringe_contrast(drift) - lanes(0.1f)) * lanes(1.25f);
+  real per_mm = spectral(view, row);
+  real drift = abs_of(gap) * depth * per_mm * spectral(view, row + 1);
+  // tangential wave vectors at the face where they leave
+  vec3 change = sub3(w[1].k, w[0].k);
+  change = along(-dot3(change, exit.normal), exit.normal, change);
+  real change_q = sqrt_of(dot3(change, change)), p = lanes(0.5f) * dot3(add3(w[0].k, w[1].k), exit.normal);
+  real bend = change_q / (lanes(0.02f) * p * p + lanes(1e-9f));
+  overlap = overlap * pick(bend < lanes(1), lanes(1) - bend, lanes(0));
+  real contrast = fringe_contrast(drift) * fringe_contrast(change_q * footprint * per_mm);
+  real share = (overlap * contrast - lanes(0.1f)) * lanes(1.25f);
   share = pick(share > lanes(0), pick(share < lanes(1), share, lanes(1)), lanes(0));
   return pick(both, share, lanes(0));
 }
@@ -290,6 +299,7 @@ FUNCTION void split_waves(PRIVATE const SceneView* view, PRIVATE Path* path, Int
         amplitude[w][r] = cmul(path->jones.e[r], a0);
         cplx a1 = side ? a.t[1][w] : a.r[1][w];
         if (in.count == 2) amplitude[w][r] = cadd(amplitude[w][r], cmul(path->jones.f[r], a1));
+        amplitude[w][r] = cpick(live, amplitude[w][r], complex_of(lanes(0), lanes(0)));
       }
     }
     if (side) {

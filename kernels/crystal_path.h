@@ -5,7 +5,9 @@
 // phases have drifted by 2 pi gap d/lambda. Where the rays stay within a pixel and the phases within a bin of
 // wavelengths, they are one path with two amplitudes along their mean ray (interference, rotation along the axis
 // of quartz); elsewhere two paths whose intensities add. Between the two, both: with
-//   mu = overlap of two pixels that far apart  x  sinc(pi gap d/lambda (bin width/lambda))
+//   mu = overlap of two pixels that far apart  x  sinc(pi gap d/lambda (bin width/lambda))  x  sinc(pi dq pixel/lambda)
+// where dq is the difference of their wave vectors along the face where they leave (fringes of a wedge, washed out within a
+// pixel), less where dq comes near 2 % of p^2 (rays that leave more than about a degree apart are two rays):
 // the pair carries the share mu, the two single waves 1 - mu, so nothing jumps. Shares under 0.1 or over 0.9 are
 // rounded to 0 and 1 (the rest stretched between), so that few paths have both.
 // Sources: Born & Wolf, Principles of Optics, 7th ed., 15.3-15.4 (waves of crystals), 10.3 (partial coherence);

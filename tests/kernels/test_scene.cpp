@@ -36,8 +36,24 @@ int TestScene::add_medium(double n, double k, double rotation_deg_per_mm) {
   medium.n.fill(Samples(count, n));
   medium.k.fill(Samples(count, k));
   medium.rotation_deg_per_mm.assign(count, rotation_deg_per_mm);
+  medium.frame = {OpticFrame{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
   scene.media.push_back(medium);
   return static_cast<int>(scene.media.size()) - 1;
+}
+
+int TestScene::add_crystal(const std::array<double, 3>& n, const OpticFrame& frame, const std::vector<double>& gyration,
+                           const std::array<double, 3>& k) {
+  const int index = add_medium(n[0]);
+  Medium& medium = scene.media.back();
+  const std::size_t count = scene.lambda_nm.size();
+  medium.symmetry = n[0] == n[1] ? Medium::Symmetry::uniaxial : Medium::Symmetry::biaxial;
+  for (int axis = 0; axis < 3; ++axis) {
+    medium.n[axis].assign(count, n[axis]);
+    medium.k[axis].assign(count, k[axis]);
+  }
+  for (std::size_t i = 0; i < gyration.size(); ++i) medium.gyration[i].assign(count, gyration[i]);
+  medium.frame = {frame};
+  return index;
 }
 
 int TestScene::add_polarizer(Polarizer::Kind kind, Vec3 axis, Vec3 normal, double n_o, double n_e) {

@@ -15,6 +15,9 @@ class TestScene {
   explicit TestScene(std::vector<double> lambda_nm = {580});
 
   int add_medium(double n, double k = 0, double rotation_deg_per_mm = 0);
+  // The symmetry follows from n; gyration: g11 g22 g33 g23 g13 g12 on the frame's axes, empty: not active.
+  int add_crystal(const std::array<double, 3>& n, const OpticFrame& frame, const std::vector<double>& gyration = {},
+                  const std::array<double, 3>& k = {0, 0, 0});
   int add_polarizer(Polarizer::Kind kind, Vec3 axis, Vec3 normal, double n_o = 1.6584, double n_e = 1.4864);
   int add_emission(double radiance, std::optional<int> polarizer = {}, bool one_sided = false);
 
