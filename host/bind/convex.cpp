@@ -1,6 +1,6 @@
-// Convex solids as lists of half-spaces: box, crystal, intersection (and difference) of planes and
-// convex solids. Children of an intersection keep transforms of their own, applied to their planes
-// here.
+// Convex solids as lists of half-spaces: box, crystal, intersections of these and of planes, and
+// differences that only planes are taken from. Children keep transforms of their own, applied to
+// their planes here. All other CSG is in csg.cpp.
 #include <algorithm>
 
 #include "host/bind/parts.hpp"
@@ -16,11 +16,6 @@ constexpr std::size_t most_faces = 10'000;
 
 std::string kind_of(const RawObject& raw) { return raw.block->name; }
 
-bool is_instance(const RawObject& raw) {
-  const std::string kind = kind_of(raw);
-  return raw.children.size() == 1 && kind != "intersection" && kind != "difference";
-}
-
 // Corners may be swapped, as in POV-Ray.
 Faces box_faces(const RawObject& raw) {
   const Vec3 a = raw.vectors[0], b = raw.vectors[1];
@@ -30,58 +25,15 @@ Faces box_faces(const RawObject& raw) {
           {{0, 1, 0}, high.y},  {{0, 0, -1}, -low.z}, {{0, 0, 1}, high.z}};
 }
 
-bool append_faces(Context& context, const sdl::Block& block, bool outside, Faces& faces);
-
-bool cut_faces(Context& context, const RawObject& raw, Faces& faces) {
-  const bool subtracts = kind_of(raw) == "difference";
-  if (raw.children.empty()) {
-    context.error(raw.block->where, "'" + kind_of(raw) + "' holds no solid");
-    return false;
-  }
-  bool all = true;
-  for (std::size_t i = 0; i < raw.children.size(); ++i) {
-    context.step(raw.block->where);
-    all = append_faces(context, *raw.children[i], subtracts && i > 0, faces) && all;
-  }
-  return all;
-}
-
-// Faces in the coordinates of the object's own text.
-bool own_faces(Context& context, const RawObject& raw, Faces& faces) {
-  const std::string kind = kind_of(raw);
-  if (is_instance(raw)) return append_faces(context, *raw.children[0], false, faces);
-  if (kind == "intersection" || kind == "difference") return cut_faces(context, raw, faces);
-  if (kind == "crystal") faces = raw.facets;
-  if (kind == "box" && raw.vectors.size() == 2) faces = box_faces(raw);
-  if (kind == "plane" && raw.vectors.size() == 1)
-    if (const auto h = half_space(context, raw.block->where, raw.vectors[0], raw.numbers[0]))
-      faces = {*h};
-  if (!faces.empty()) return true;
-  if (kind == "prism" || kind == "polygon" || kind == "disc" || kind == "union")
-    context.error(raw.block->where,
-                  "'" + kind + "' cannot be cut yet; planes, boxes and crystals can");
-  return false;
-}
-
-// Turned inside out: what `inverse` and `difference` ask for. Only one plane stays convex.
-bool complement(Context& context, const RawObject& raw, Faces& faces) {
-  if (faces.size() != 1) {
-    context.error(raw.block->where,
-                  "only a plane can be subtracted or inverted: a crystal minus '" + kind_of(raw) +
-                      "' would not be convex");
-    return false;
-  }
-  faces[0].normal = -faces[0].normal;
-  faces[0].offset = -faces[0].offset;
-  return true;
-}
-
 bool append_faces(Context& context, const sdl::Block& block, bool outside, Faces& faces) {
   const Context::Depth depth(context, block.where);
   const RawObject& raw = read_object(context, block);
   Faces own;
-  if (!own_faces(context, raw, own)) return false;
-  if (outside != raw.inverse && !complement(context, raw, own)) return false;
+  if (!convex_faces(context, raw, own)) return false;
+  if (outside != raw.inverse) {  // one plane, as half_space_count() has it
+    own[0].normal = -own[0].normal;
+    own[0].offset = -own[0].offset;
+  }
   Affines steps = raw.transforms;
   if (block.name == "crystal" && !is_instance(raw)) steps.insert(steps.begin(), from_crystal());
   for (const HalfSpace& face : own) faces.push_back(transform(steps, face));
@@ -90,7 +42,57 @@ bool append_faces(Context& context, const sdl::Block& block, bool outside, Faces
   throw GiveUp{};
 }
 
+// Half-spaces of a child, if it is convex still after being turned inside out or not.
+std::optional<std::size_t> count_of_child(Context& context, const sdl::Block& block, bool outside) {
+  const Context::Depth depth(context, block.where);
+  context.step(block.where);
+  const RawObject& raw = read_object(context, block);
+  const auto count = half_space_count(context, raw);
+  if (count && outside != raw.inverse && *count != 1) return std::nullopt;
+  return count;
+}
+
 }  // namespace
+
+bool is_instance(const RawObject& raw) {
+  const std::string kind = kind_of(raw);
+  return raw.children.size() == 1 && kind != "intersection" && kind != "difference";
+}
+
+std::optional<std::size_t> half_space_count(Context& context, const RawObject& raw) {
+  const std::string kind = kind_of(raw);
+  if (!raw.sound) return std::nullopt;
+  if (is_instance(raw)) return count_of_child(context, *raw.children[0], false);
+  if (kind == "box") return 6;
+  if (kind == "plane") return 1;
+  if (kind == "crystal") return raw.facets.size();
+  if ((kind != "intersection" && kind != "difference") || raw.children.empty())
+    return std::nullopt;
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < raw.children.size(); ++i) {
+    const auto count = count_of_child(context, *raw.children[i], kind == "difference" && i > 0);
+    if (!count) return std::nullopt;
+    sum += *count;
+    if (sum > most_faces) break;  // will be refused
+  }
+  return sum;
+}
+
+bool convex_faces(Context& context, const RawObject& raw, std::vector<HalfSpace>& faces) {
+  const std::string kind = kind_of(raw);
+  if (kind == "crystal" && !is_instance(raw)) faces = raw.facets;
+  if (kind == "box" && raw.vectors.size() == 2) faces = box_faces(raw);
+  if (kind == "plane" && raw.vectors.size() == 1)
+    if (const auto h = half_space(context, raw.block->where, raw.vectors[0], raw.numbers[0]))
+      faces = {*h};
+  if (!faces.empty()) return true;
+  bool all = !raw.children.empty();
+  for (std::size_t i = 0; i < raw.children.size(); ++i) {
+    context.step(raw.block->where);
+    all = append_faces(context, *raw.children[i], kind == "difference" && i > 0, faces) && all;
+  }
+  return all;
+}
 
 std::optional<HalfSpace> half_space(Context& context, Location where, Vec3 normal,
                                     double distance) {
@@ -105,10 +107,10 @@ std::optional<HalfSpace> half_space(Context& context, Location where, Vec3 norma
 
 std::optional<ConvexShape> convex_shape(Context& context, const RawObject& raw) {
   ConvexShape shape;
-  if (!own_faces(context, raw, shape.faces)) return std::nullopt;
+  if (!convex_faces(context, raw, shape.faces)) return std::nullopt;
   if (raw.inverse) {
     context.error(raw.block->where,
-                  "an inverse solid fills all of space; only planes can be inverted");
+                  "an inverse solid fills all of space; inside an intersection it cuts");
     return std::nullopt;
   }
   return shape;

@@ -10,10 +10,10 @@ namespace {
 
 const std::vector<const char*> rendered = {"box",          "crystal",   "plane",  "prism",
                                            "polygon",      "disc",      "object", "union",
-                                           "intersection", "difference"};
+                                           "intersection", "difference", "merge"};
 const std::vector<const char*> not_rendered = {"sphere",       "cylinder",      "cone",
                                                "torus",        "triangle",      "smooth_triangle",
-                                               "mesh",         "mesh2",         "merge",
+                                               "mesh",         "mesh2",
                                                "quadric",      "cubic",         "quartic",
                                                "poly",         "polynomial",    "superellipsoid",
                                                "lathe",        "sor",           "blob",
@@ -91,7 +91,7 @@ void add_modifier_rules(Context* c, RawObject* r, Schema& schema) {
                    [=](const Args& a) { r->optical_contact = a.numbers[0] != 0; },
                    "touches its neighbours without a gap"});
   rules.push_back({"inverse", "", [=](const Args&) { r->inverse = !r->inverse; },
-                   "of a plane: the other side"});
+                   "everything but this: of use inside an intersection"});
   rules.push_back({"clipped_by", "{}",
                    [=](const Args& a) {
                      c->error(a.where, "'clipped_by' is not rendered; 'intersection' cuts solids");
@@ -113,7 +113,7 @@ void read_words(Context& context, const sdl::Block& block, RawObject& raw) {
     context.error(block.where,
                   "nicol does not render '" + block.name +
                       "' yet; it renders box, prism, crystal, polygon, disc, unions of these, and "
-                      "intersections of planes, boxes and crystals");
+                      "merge, intersection and difference of solids with flat faces");
     return;
   }
   const std::size_t errors_before = context.error_count();

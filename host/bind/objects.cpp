@@ -184,6 +184,17 @@ void fill_solid(Context& context, const Chain* chain, bool shines_all_over, Obje
   tell_mirror(context, chain, object);
 }
 
+void add_csg(Context& context, const Chain* chain, Object& object) {
+  auto shape = csg_shape(context, *chain->raw);
+  if (!shape) return;
+  if (!nearest(chain, &RawObject::lights).empty())
+    context.error(object.where, "faces of a solid that is not convex cannot shine; lay a luminous "
+                                "polygon on them");
+  fill_solid(context, chain, false, object);
+  object.shape = std::move(*shape);
+  context.scene.objects.push_back(std::move(object));
+}
+
 void add_convex(Context& context, const Chain* chain, Object& object) {
   const auto shape = convex_shape(context, *chain->raw);
   if (!shape) return;
@@ -224,14 +235,16 @@ void add_leaf(Context& context, const Chain* chain) {
                   "from planes with 'intersection', or use 'polygon' or 'disc'");
     return;
   }
-  add_convex(context, chain, object);
+  if (half_space_count(context, raw)) return add_convex(context, chain, object);
+  add_csg(context, chain, object);
 }
 
 void add_object(Context& context, const sdl::Block& block, const Chain* outer) {
   const Context::Depth depth(context, block.where);
   const RawObject& raw = read_object(context, block);
   const Chain chain{&raw, outer};
-  const bool cut = block.name == "intersection" || block.name == "difference";
+  const bool cut =
+      block.name == "intersection" || block.name == "difference" || block.name == "merge";
   if (block.name == "union" || (!raw.children.empty() && !cut)) {
     if (block.name != "union" && raw.children.size() > 1)
       context.error(block.where, "'" + block.name + "' holds more than one object; 'union' may");

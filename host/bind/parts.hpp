@@ -194,6 +194,14 @@ const RawObject& read_object(Context& context, const sdl::Block& block);
 // normal . p <= distance of the plane from the origin; exact for planes across an axis.
 std::optional<HalfSpace> half_space(Context& context, Location where, Vec3 normal, double distance);
 std::optional<ConvexShape> convex_shape(Context& context, const RawObject& raw);
+// Of a convex solid or a plane; nothing for all else.
+std::optional<std::size_t> half_space_count(Context& context, const RawObject& raw);
+// Faces in the coordinates of the object's own text; false if some are unsound.
+bool convex_faces(Context& context, const RawObject& raw, std::vector<HalfSpace>& faces);
+bool is_instance(const RawObject& raw);  // object { X }, box { X }, ...
+
+// ---- csg.cpp: merge, intersection, difference ----
+std::optional<CsgShape> csg_shape(Context& context, const RawObject& raw);
 
 // ---- flat.cpp: polygon, disc, prism ----
 std::optional<PolygonShape> polygon_shape(Context& context, const RawObject& raw);

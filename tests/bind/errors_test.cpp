@@ -50,13 +50,20 @@ const Bad bad[] = {
     {"intersection { plane { 0, 1 } interior { ior 1.5 } }", 2, "Degenerate plane normal."},
     {"sphere { 0, 1 interior { ior 1.5 } }", 2,
      "nicol does not render 'sphere' yet; it renders box, prism, crystal, polygon, disc, unions of "
-     "these, and "
-     "intersections of planes, boxes and crystals"},
-    {"difference { box { 0, 2 } box { 0, 1 } interior { ior 1.5 } }", 2,
-     "only a plane can be subtracted or inverted: a crystal minus 'box' would not be convex"},
-    {"intersection { prism { 0, 1, 4, <0,0>, <1,0>, <0,1>, <0,0> } box { 0, 1 } interior { ior 1.5 "
-     "} }",
-     2, "'prism' cannot be cut yet; planes, boxes and crystals can"},
+     "these, and merge, intersection and difference of solids with flat faces"},
+    {"box { 0, 1 interior { ior 1.5 } inverse }", 2,
+     "an inverse solid fills all of space; inside an intersection it cuts"},
+    {"difference { box { 0, 2 }\n sphere { 0, 1 } interior { ior 1.5 } }", 3,
+     "nicol does not render 'sphere' yet; it renders box, prism, crystal, polygon, disc, unions of "
+     "these, and merge, intersection and difference of solids with flat faces"},
+    {"merge { interior { ior 1.5 } }", 2, "'merge' holds no solid"},
+    {"merge { box { 0, 1 }\n disc { 0, y, 1 } interior { ior 1.5 } }", 3,
+     "a 'disc' has no inside, so it neither cuts nor is cut"},
+    {"difference { box { 0, 2 } box { 0, 1 } luminous { } interior { ior 1.5 } }", 2,
+     "faces of a solid that is not convex cannot shine; lay a luminous polygon on them"},
+    {"difference { box { 0, 2 } box { 0, 1 } }", 2,
+     "difference has no interior with an index; nicol renders transparent crystals, polarizers and "
+     "lights"},
     {"prism { cubic_spline 0, 1, 4, <0,0>, <1,0>, <0,1>, <0,0> interior { ior 1.5 } }", 2,
      "a prism with 'cubic_spline' is not rendered; 'linear_spline' with 'linear_sweep' is"},
     {"polygon { 5, 0, x, y, 0 luminous { } }", 2,
