@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "cells.hpp"
@@ -27,33 +28,11 @@ double overlap_depth_mm(const Polyhedron& a, const Polyhedron& b) {
   return least;
 }
 
-// Every corner of `inner` lies in some part of the object.
-bool covered(const Polyhedron& inner, const std::vector<SolidPart>& solids, int object) {
-  return std::all_of(inner.corners.begin(), inner.corners.end(), [&](const ExactPoint& corner) {
-    return std::any_of(solids.begin(), solids.end(), [&](const SolidPart& part) {
-      return part.object == object && holds(part.body, {corner});
-    });
-  });
-}
-
-int parts_of(const std::vector<SolidPart>& solids, int object) {
-  return static_cast<int>(std::count_if(
-      solids.begin(), solids.end(), [&](const SolidPart& part) { return part.object == object; }));
-}
-
 std::string overlap_message(const Scene& scene, const std::vector<SolidPart>& solids, int a, int b,
                             double near_mm) {
   const SolidPart &first = solids[a], &second = solids[b];
   const std::string names =
       name_of(scene.objects[first.object]) + " and " + name_of(scene.objects[second.object]);
-  for (const auto& [outer, inner] : {std::pair(a, b), std::pair(b, a)}) {
-    const int object = solids[outer].object;
-    if (parts_of(solids, object) > 1 && covered(solids[inner].body, solids, object)) {
-      return names +
-             ": one lies inside the other across several of its convex parts; split the inner one "
-             "there";
-    }
-  }
   const std::string message = names + " overlap; solids may touch or lie wholly inside one another";
   const double depth_mm = overlap_depth_mm(first.body, second.body);
   if (depth_mm > near_mm) return message;
@@ -181,6 +160,38 @@ std::vector<SheetPart> placed(const Scene& scene, const SheetPart& sheet,
   return pieces;
 }
 
+// Whether the sheet lies in a seam: where two parts of one solid meet, on part of either.
+bool lies_in_seam(const SheetPart& sheet, const std::vector<int>& near, const Parts& parts,
+                  int& object) {
+  struct Touched {
+    int object;
+    Polygon face;
+  };
+  std::vector<Touched> touched;
+  for (int s : near) {
+    const SolidPart& part = parts.solids[s];
+    for (int f = 0; f < size_of(part.body.faces); ++f) {
+      const ExactPlane& plane = part.body.faces[f].plane;
+      if (!same(plane, sheet.polygon.plane) && !opposite(plane, sheet.polygon.plane)) continue;
+      const Polygon face = part.body.polygon(f);
+      for (const Touched& other : touched) {
+        if (other.object != part.object || !opposite(other.face.plane, plane)) continue;
+        Polygon shared = face;
+        const bool apart = std::any_of(
+            other.face.edges.begin(), other.face.edges.end(),
+            [&](const ExactPlane& edge) { return !clip(shared, edge); });
+        object = part.object;
+        if (apart) continue;
+        if (sheet.is_disc ? disc_covers_some(sheet, plane, shared.corners)
+                          : share_area(shared, sheet.polygon))
+          return true;
+      }
+      touched.push_back({part.object, face});
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void place_sheets(const Scene& scene, Parts& parts, const Nesting& nesting,
@@ -197,6 +208,13 @@ void place_sheets(const Scene& scene, Parts& parts, const Nesting& nesting,
   }
   std::vector<SheetPart> out;
   for (int i = 0; i < size_of(parts.sheets); ++i) {
+    const Object& object = scene.objects[parts.sheets[i].object];
+    int solid = -1;
+    if (lies_in_seam(parts.sheets[i], near[i], parts, solid))
+      diagnostics.error(object.where, name_of(object) + " lies inside " +
+                                          name_of(scene.objects[solid]) +
+                                          " just where two of its convex parts meet; move it a "
+                                          "little, or make two solids there");
     for (SheetPart& piece : placed(scene, parts.sheets[i], near[i], parts, nesting, diagnostics)) {
       out.push_back(std::move(piece));
     }
@@ -204,19 +222,44 @@ void place_sheets(const Scene& scene, Parts& parts, const Nesting& nesting,
   parts.sheets = std::move(out);
 }
 
+namespace {
+
+// The faces that the point lies on, of a body that does not have it outside; nothing otherwise.
+std::optional<std::vector<const Polyhedron::Face*>> faces_under(const ExactPoint& point,
+                                                                const Polyhedron& body) {
+  std::vector<const Polyhedron::Face*> found;
+  for (const Polyhedron::Face& face : body.faces) {
+    const int where = side(face.plane, point);
+    if (where > 0) return std::nullopt;
+    if (where == 0) found.push_back(&face);
+  }
+  return found;
+}
+
+}  // namespace
+
 int part_around(const ExactPoint& point, const Parts& parts, const Nesting& nesting,
                 bool& on_surface) {
   int around = -1;
-  on_surface = false;
+  std::vector<std::pair<int, const Polyhedron::Face*>> single;  // parts with the point on one face
+  std::set<int> bare;  // solids with the point on their boundary, or on an edge of seams
   for (int i = 0; i < size_of(parts.solids); ++i) {
-    int highest = -1;
-    for (const Polyhedron::Face& face : parts.solids[i].body.faces) {
-      highest = std::max(highest, side(face.plane, point));
-      if (highest > 0) break;
+    const auto under = faces_under(point, parts.solids[i].body);
+    if (!under) continue;
+    bool within = under->empty();
+    if (under->size() == 1) {
+      const auto twin = std::find_if(single.begin(), single.end(), [&](const auto& other) {
+        return parts.solids[other.first].object == parts.solids[i].object &&
+               opposite(other.second->plane, under->front()->plane);
+      });
+      within = twin != single.end();
+      single.push_back({i, under->front()});
     }
-    if (highest == 0) on_surface = true;
-    if (highest < 0 && depth(nesting, i) > depth(nesting, around)) around = i;
+    if (within) bare.erase(parts.solids[i].object);
+    if (!within) bare.insert(parts.solids[i].object);
+    if (within && depth(nesting, i) > depth(nesting, around)) around = i;
   }
+  on_surface = !bare.empty();
   return around;
 }
 

@@ -13,6 +13,10 @@ struct Nesting {
   std::vector<std::pair<int, int>> neighbours;  // solid parts whose boxes come close, in order
 };
 
+// Splits solids that lie inside another across several of its cells, so that each of their cells lies
+// inside one.
+void split_nested(std::vector<SolidPart>& solids);
+
 // `near_mm` is how close boxes must come to be listed as neighbours.
 Nesting nest(const Scene& scene, const std::vector<SolidPart>& solids, double near_mm,
              sdl::Diagnostics& diagnostics);
@@ -22,7 +26,8 @@ Nesting nest(const Scene& scene, const std::vector<SolidPart>& solids, double ne
 void place_sheets(const Scene& scene, Parts& parts, const Nesting& nesting,
                   sdl::Diagnostics& diagnostics);
 
-// The innermost part with the point inside; `on_surface` if it is on the boundary of some part.
+// The innermost part with the point inside (for a point on a seam one of its two parts);
+// `on_surface` if it is on the boundary of some part otherwise.
 int part_around(const ExactPoint& point, const Parts& parts, const Nesting& nesting,
                 bool& on_surface);
 

@@ -184,6 +184,7 @@ int camera_cell(const Scene& scene, const Parts& parts, const Nesting& nesting,
 
 Geometry build_geometry(const Scene& scene, sdl::Diagnostics& diagnostics) {
   Parts parts = make_parts(scene, diagnostics);
+  split_nested(parts.solids);
   const Extents extents = extents_of(parts, scene.objects.size());
   const double near_mm = near_fraction * extents.size_mm;
   const Nesting nesting = nest(scene, parts.solids, near_mm, diagnostics);
