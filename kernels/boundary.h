@@ -101,11 +101,9 @@ FUNCTION void scale_to_share(real share, PRIVATE const real* own, cplx a0, cplx 
   out[1] = cscale(sqrt_of(own[1] * factor), a1);
 }
 
-// incident: count (1 or 2) waves of medium 1 running to +N with the q of the outgoing ones.
-FUNCTION FaceAmplitudes face_amplitudes(PRIVATE const Mode* incident, int count, PRIVATE const WavePair* reflected,
-                                        PRIVATE const WavePair* transmitted) {
-  cplx a[2][4];
-  match_fields(incident, count, transmitted->mode, reflected->mode, a);
+// Powers shared out: a from match_fields of the same waves.
+FUNCTION FaceAmplitudes share_powers(PRIVATE const Mode* incident, int count, PRIVATE const WavePair* reflected,
+                                     PRIVATE const WavePair* transmitted, cplx a[2][4]) {
   real own_t[2], own_r[2];
   for (int j = 0; j < 2; ++j) {
     own_t[j] = running_flux(&transmitted->mode[j], lanes(1));
@@ -123,6 +121,14 @@ FUNCTION FaceAmplitudes face_amplitudes(PRIVATE const Mode* incident, int count,
     scale_to_share(flux_r * inverse, own_r, a[from][2], a[from][3], f.r[i]);
   }
   return f;
+}
+
+// incident: count (1 or 2) waves of medium 1 running to +N with the q of the outgoing ones.
+FUNCTION FaceAmplitudes face_amplitudes(PRIVATE const Mode* incident, int count, PRIVATE const WavePair* reflected,
+                                        PRIVATE const WavePair* transmitted) {
+  cplx a[2][4];
+  match_fields(incident, count, transmitted->mode, reflected->mode, a);
+  return share_powers(incident, count, reflected, transmitted, a);
 }
 
 #endif

@@ -1,40 +1,60 @@
-// Layout of `probe`: one face problem and its answer, as scalars. Complex numbers are re, im.
-// Directions as in the oracle: N from medium 1 to medium 2, time factor exp(-i w t), k in units of k0, h = Z0 H.
+// Layout of `probe`: one problem and its answer, as scalars. Complex numbers are re, im.
+// Directions: N from medium 1 to medium 2, time factor exp(-i w t), k in units of k0, h = Z0 H. Tensors: xx yy zz yz zx xy.
 #ifndef NICOL_PROBE_ABI_H
 #define NICOL_PROBE_ABI_H
 
 enum {
-  PROBE_ISOTROPIC = 0,
-  PROBE_CHIRAL = 1,
-  // problem
-  PROBE_CLASS1 = 0, PROBE_CLASS2,      // PROBE_ISOTROPIC or PROBE_CHIRAL
-  PROBE_ABSORBS,                       // 1 if either medium absorbs (isotropic media only)
-  PROBE_NORMAL,                        // 3
-  PROBE_K = PROBE_NORMAL + 3,          // incident wave vector, 3 complex
-  PROBE_E = PROBE_K + 6,               // incident fields, 3 complex each
-  PROBE_H = PROBE_E + 6,
-  PROBE_N1 = PROBE_H + 6,              // n + i k, complex
-  PROBE_N2 = PROBE_N1 + 2,
-  PROBE_KAPPA1 = PROBE_N2 + 2,
-  PROBE_KAPPA2,
-  // (index of the wave)^2 - (incident index)^2, complex, computed in double: waves of medium 1, then of
-  // medium 2; chiral: hand -1 (right, n - kappa) first. Isotropic: both the same.
-  PROBE_BRACKETS1,                     // 2 complex
-  PROBE_BRACKETS2 = PROBE_BRACKETS1 + 4,
-  PROBE_SCALARS = PROBE_BRACKETS2 + 4,
+  PROBE_FACE = 0, PROBE_BULK, PROBE_PROPAGATION,
 
-  // answer: waves reflected 0, 1, then transmitted 0, 1
-  ANSWER_WAVE_P = 0,                   // complex
-  ANSWER_WAVE_K = 2,                   // 3 complex, world
-  ANSWER_WAVE_E = 8,                   // 3 complex, world
+  // medium: members of WaveMedium (wave_medium.h), computed in double
+  PROBE_MEDIUM_KIND = 0, PROBE_MEDIUM_ACTIVE, PROBE_MEDIUM_ABSORBS,
+  PROBE_MEDIUM_N, PROBE_MEDIUM_EPS,
+  PROBE_MEDIUM_AXIS,                                // 3
+  PROBE_MEDIUM_EPS_E = PROBE_MEDIUM_AXIS + 3, PROBE_MEDIUM_D_EPS, PROBE_MEDIUM_D_ETA,
+  PROBE_MEDIUM_ATIL,                                // 6 each
+  PROBE_MEDIUM_GQ = PROBE_MEDIUM_ATIL + 6,
+  PROBE_MEDIUM_ZETA = PROBE_MEDIUM_GQ + 6,
+  PROBE_MEDIUM_KAPPA = PROBE_MEDIUM_ZETA + 6,
+  PROBE_MEDIUM_TENSOR,                              // eps, 6 complex
+  PROBE_MEDIUM_INDEX = PROBE_MEDIUM_TENSOR + 12,    // isotropic: n + i k, complex
+  PROBE_MEDIUM_SCALARS = PROBE_MEDIUM_INDEX + 2,
+
+  // problem
+  PROBE_TASK = 0,
+  PROBE_KNOWN,                                      // wave of medium 1 that comes in: 0, 1, 2 both (isotropic), -1 unknown
+  PROBE_NORMAL,                                     // 3; bulk, propagation: the wave normal
+  PROBE_K = PROBE_NORMAL + 3,                       // incident wave vector, 3 complex; propagation: x axis of D in the first 3
+  PROBE_E = PROBE_K + 6,                            // incident fields, 3 complex each; propagation: D_in (2 complex), d/lambda
+  PROBE_H = PROBE_E + 6,
+  PROBE_BRACKET1 = PROBE_H + 6,                     // eps of the medium (PROBE_MEDIUM_EPS) - |k|^2, complex
+  PROBE_BRACKET2 = PROBE_BRACKET1 + 2,
+  PROBE_MEDIUM1 = PROBE_BRACKET2 + 2,
+  PROBE_MEDIUM2 = PROBE_MEDIUM1 + PROBE_MEDIUM_SCALARS,
+  PROBE_SCALARS = PROBE_MEDIUM2 + PROBE_MEDIUM_SCALARS,
+  PROBE_D_IN = PROBE_E, PROBE_DEPTH = PROBE_E + 4,
+
+  // answer of a face: waves reflected 0, 1, then transmitted 0, 1
+  ANSWER_WAVE_P = 0,                                // complex
+  ANSWER_WAVE_K = 2,                                // 3 complex each, world
+  ANSWER_WAVE_E = 8,
   ANSWER_WAVE_H = 14,
-  ANSWER_WAVE_POWER = 20,              // of the incident normal flux
+  ANSWER_WAVE_POWER = 20,                           // of the incident normal flux
   ANSWER_WAVE_SCALARS = 21,
-  ANSWER_R = 4 * ANSWER_WAVE_SCALARS,  // from the total fields
+  ANSWER_R = 4 * ANSWER_WAVE_SCALARS,               // from the total fields
   ANSWER_T,
-  ANSWER_E_R,                          // 3 complex, world
+  ANSWER_E_R,                                       // 3 complex each, world
   ANSWER_E_T = ANSWER_E_R + 6,
-  ANSWER_SCALARS = ANSWER_E_T + 6
+  ANSWER_FALLBACKS = ANSWER_E_T + 6,                // waves that took the precise way
+  ANSWER_SCALARS = ANSWER_FALLBACKS + 1,
+
+  // answer of bulk: two waves
+  BULK_N = 0,                                       // complex
+  BULK_E = 2, BULK_H = 8, BULK_D = 14,              // 3 complex each, world, |E| = 1
+  BULK_SCALARS = 20,
+  // answer of propagation
+  PROPAGATION_N = 0,                                // 2 complex
+  PROPAGATION_RETARDANCE = 4,                       // radians
+  PROPAGATION_D_OUT                                 // 2 complex
 };
 
 #endif

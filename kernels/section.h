@@ -18,13 +18,6 @@ typedef struct {
   real gap;  // n[1] - n[0]
 } SectionWaves;
 
-// a with (a, b, s) right-handed (Duff et al., JCGT 6(1) 2017).
-FUNCTION vec3 any_across(vec3 s) {
-  real sign = pick(s.z >= lanes(0), lanes(1), lanes(-1));
-  real a = lanes(-1) / (sign + s.z);
-  return vec(lanes(1) + sign * s.x * s.x * a, sign * s.x * s.y * a, -sign * s.x);
-}
-
 // Eigenvectors of [[m11, b], [b*, m22]], orthonormal: (plus1, plus2), (-plus2*, plus1*); plus has the larger eigenvalue.
 typedef struct {
   cplx plus1, plus2;

@@ -29,6 +29,28 @@ typedef struct {
   real gap;
 } WavePair;
 
+// a with (a, b, s) right-handed, orthonormal to rounding (Duff et al., JCGT 6(1) 2017).
+FUNCTION vec3 any_across(vec3 s) {
+  real sign = pick(s.z >= lanes(0), lanes(1), lanes(-1));
+  real a = lanes(-1) / (sign + s.z);
+  return vec(lanes(1) + sign * s.x * s.x * a, sign * s.x * s.y * a, -sign * s.x);
+}
+
+// Axes of a face for the real wave vector k: a basis of n turned, never k - (k.n) n made unit, which fails at normal incidence.
+FUNCTION FaceAxes axes_of_face(vec3 n, vec3 k) {
+  vec3 t0 = any_across(n), u0 = cross3(n, t0);
+  real a = dot3(k, t0), b = dot3(k, u0);
+  FaceAxes f;
+  f.n = n;
+  f.q = sqrt_of(a * a + b * b);
+  mask tilted = f.q > lanes(0);
+  real inverse = lanes(1) / pick(tilted, f.q, lanes(1));
+  real c = pick(tilted, a * inverse, lanes(1)), s = pick(tilted, b * inverse, lanes(0));
+  f.t = add3(scale3(c, t0), scale3(s, u0));
+  f.u = sub3(scale3(c, u0), scale3(s, t0));
+  return f;
+}
+
 // A symmetric tensor in the axes of a face; mirrored: in (t, -u, -n), where backward waves run forward.
 typedef struct { real tt, uu, nn, un, tn, ut; } FaceTensor;
 

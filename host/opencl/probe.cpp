@@ -63,20 +63,23 @@ std::vector<double> solve(Device& device, const Kernel& built, const std::vector
 
 json complex_vector(const double* v) { return {{v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}}; }
 
-// Direction of Re(E x H*); that of the wave normal where the wave carries nothing. Null for evanescent waves.
-json ray_of(const double* wave, const json& normal) {
-  const double* e = wave + ANSWER_WAVE_E;
-  const double* h = wave + ANSWER_WAVE_H;
+// Re(E x H*)
+Vector flux_of(const double* e, const double* h) {
   const auto term = [&](int i, int j) { return e[2 * i] * h[2 * j] + e[2 * i + 1] * h[2 * j + 1]; };
-  const double x = term(1, 2) - term(2, 1), y = term(2, 0) - term(0, 2), z = term(0, 1) - term(1, 0);
-  const double length = std::hypot(x, y, z);
-  return length > 1e-30 ? json{x / length, y / length, z / length} : normal;
+  return {term(1, 2) - term(2, 1), term(2, 0) - term(0, 2), term(0, 1) - term(1, 0)};
+}
+
+// Direction of the flux; that of the wave normal where the wave carries nothing.
+json ray_of(const double* e, const double* h, const json& normal) {
+  const Vector s = flux_of(e, h);
+  const double length = std::hypot(s[0], s[1], s[2]);
+  return length > 1e-30 ? json{s[0] / length, s[1] / length, s[2] / length} : normal;
 }
 
 json wave_answer(const double* wave, int index, const ProbeProblem& problem) {
   const double* k = wave + ANSWER_WAVE_K;
   const double n_phase = std::hypot(k[0], k[2], k[4]);
-  const bool complex_q = problem.absorbs[0], absorbs = problem.absorbs[index / 2];
+  const bool complex_q = problem.media[0].absorbs, absorbs = problem.media[index / 2].absorbs;
   const char* type = complex_q || absorbs                 ? "attenuated"
                      : wave[ANSWER_WAVE_P + 1] != 0 ? "evanescent"
                                                           : "propagating";
@@ -88,13 +91,13 @@ json wave_answer(const double* wave, int index, const ProbeProblem& problem) {
           {"k", complex_vector(k)},
           {"n_phase", n_phase},
           {"s", runs ? normal : json()},
-          {"ray", runs ? ray_of(wave, normal) : json()},
+          {"ray", runs ? ray_of(wave + ANSWER_WAVE_E, wave + ANSWER_WAVE_H, normal) : json()},
           {"E", complex_vector(wave + ANSWER_WAVE_E)},
           {"H", complex_vector(wave + ANSWER_WAVE_H)},
           {"power", wave[ANSWER_WAVE_POWER]}};
 }
 
-json answer_of(const ProbeProblem& problem, const double* answer) {
+json face_answer(const ProbeProblem& problem, const double* answer) {
   json waves = json::array();
   double sum_powers = 0;
   for (int i = 0; i < 4; ++i) {
@@ -111,6 +114,46 @@ json answer_of(const ProbeProblem& problem, const double* answer) {
             {"E_t", complex_vector(answer + ANSWER_E_T)}}}};
 }
 
+// Power absorbed per unit length of the ray over k0, to first order: Re(E* . Im(eps) . E)/|Re(E x h*)|.
+double absorbed_along_ray(const double* wave, const ProbeMedium& m) {
+  const Vector s = flux_of(wave + BULK_E, wave + BULK_H);
+  double absorbed = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Complex along = 0;
+    for (std::size_t j = 0; j < 3; ++j) along += m.axes[i][j] * Complex(wave[BULK_E + 2 * j], wave[BULK_E + 2 * j + 1]);
+    absorbed += 2 * m.n[i] * m.k[i] * std::norm(along);
+  }
+  return absorbed / std::hypot(s[0], s[1], s[2]);
+}
+
+json bulk_answer(const ProbeProblem& problem, const double* answer, double epsilon) {
+  json modes = json::array();
+  const double gap = std::hypot(answer[BULK_N] - answer[BULK_SCALARS + BULK_N],
+                                answer[BULK_N + 1] - answer[BULK_SCALARS + BULK_N + 1]);
+  for (int j = 0; j < 2; ++j) {
+    const double* wave = answer + j * BULK_SCALARS;
+    const Vector& s = problem.normal;
+    const json ray = ray_of(wave + BULK_E, wave + BULK_H, {s[0], s[1], s[2]});
+    modes.push_back({{"n", {wave[BULK_N], wave[BULK_N + 1]}},
+                     {"E", complex_vector(wave + BULK_E)},
+                     {"H", complex_vector(wave + BULK_H)},
+                     {"D", complex_vector(wave + BULK_D)},
+                     {"ray", ray},
+                     {"degenerate", gap <= 16 * epsilon},
+                     {"alpha_ray_over_k0", absorbed_along_ray(wave, problem.media[0])},
+                     {"cos_walkoff", s[0] * ray[0].get<double>() + s[1] * ray[1].get<double>() + s[2] * ray[2].get<double>()}});
+  }
+  return {{"id", problem.id}, {"modes", modes}};
+}
+
+json propagation_answer(const ProbeProblem& problem, const double* answer) {
+  const double* d = answer + PROPAGATION_D_OUT;
+  return {{"id", problem.id},
+          {"n", {answer[PROPAGATION_N], answer[PROPAGATION_N + 2]}},
+          {"retardance_rad", answer[PROPAGATION_RETARDANCE]},
+          {"D_out", {{d[0], d[1]}, {d[2], d[3]}}}};
+}
+
 json parse(const std::string& text) {
   json input;
   try {
@@ -123,22 +166,11 @@ json parse(const std::string& text) {
   return input;
 }
 
-// What is no face problem is named, not passed over.
-json not_faces(const json& cases, const char* kind) {
-  json answers = json::array();
-  if (!cases.is_array()) return answers;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const auto id = cases[i].is_object() ? cases[i].find("id") : cases[i].end();
-    if (!cases[i].is_object() || id == cases[i].end() || !id->is_string())
-      throw std::runtime_error(fmt::format("{}[{}]: member 'id' is missing", kind, i));
-    answers.push_back({{"id", *id}, {"unsupported", "probe answers faces (interface) only"}});
-  }
-  return answers;
-}
-
-json solve_faces(Device& device, const json& faces, bool real_double) {
+// The answers of all cases of one kind, in their order.
+template <class Read, class Answer>
+json solve_cases(Device& device, const json& cases, bool real_double, Read read, Answer answer_of) {
   std::vector<ProbeProblem> problems;
-  for (std::size_t i = 0; i < faces.size(); ++i) problems.push_back(read_problem(faces[i], i));
+  for (std::size_t i = 0; i < cases.size(); ++i) problems.push_back(read(cases[i], i));
   const auto kernel = probe_kernel(device, real_double);
   keep(*kernel);
   json answers = json::array();
@@ -147,35 +179,37 @@ json solve_faces(Device& device, const json& faces, bool real_double) {
     std::vector<double> scalars;
     for (std::size_t i = begin; i < end; ++i)
       scalars.insert(scalars.end(), problems[i].scalars.begin(), problems[i].scalars.end());
-    const std::vector<double> solved =
-        scalars.empty() ? scalars : solve(device, *kernel, scalars, real_double);
-    const double* next = solved.data();
-    for (std::size_t i = begin; i < end; ++i) {
-      if (!problems[i].unsupported.empty()) {
-        answers.push_back({{"id", problems[i].id}, {"unsupported", problems[i].unsupported}});
-        continue;
-      }
-      answers.push_back(answer_of(problems[i], next));
-      next += ANSWER_SCALARS;
-    }
+    const std::vector<double> solved = solve(device, *kernel, scalars, real_double);
+    for (std::size_t i = begin; i < end; ++i)
+      answers.push_back(answer_of(problems[i], solved.data() + (i - begin) * ANSWER_SCALARS));
   }
   return answers;
+}
+
+const json& cases_of(const json& input, const char* kind) {
+  if (!input[kind].is_array()) throw std::runtime_error(fmt::format("member '{}': expected an array", kind));
+  return input[kind];
 }
 
 }  // namespace
 
 std::string probe(Device& device, const std::string& text, bool real_double) {
   const json input = parse(text);
+  const double epsilon = real_double ? 0x1p-52 : 0x1p-23;
   json output;
   output["device"] = device.about.name;
   output["real"] = real_double ? "double" : "float";
   try {
-    output["interface"] = solve_faces(device, input["interface"], real_double);
+    output["interface"] = solve_cases(device, input["interface"], real_double, read_face, face_answer);
+    if (input.contains("bulk"))
+      output["bulk"] = solve_cases(device, cases_of(input, "bulk"), real_double, read_bulk,
+                                   [&](const ProbeProblem& p, const double* a) { return bulk_answer(p, a, epsilon); });
+    if (input.contains("propagation"))
+      output["propagation"] =
+          solve_cases(device, cases_of(input, "propagation"), real_double, read_propagation, propagation_answer);
   } catch (const cl::Error& error) {
     throw DeviceError(error_message(error, device.about.name));
   }
-  for (const char* kind : {"bulk", "propagation"})
-    if (input.contains(kind)) output[kind] = not_faces(input[kind], kind);
   return output.dump(1, ' ');   // doubles as the shortest text that reads back to the same bits
 }
 

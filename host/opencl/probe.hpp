@@ -1,4 +1,5 @@
-// `nicol probe`: face problems in the oracle's JSON schema, solved on the device by the kernel code that renders.
+// `nicol probe`: faces, waves in the bulk and fields carried through it, in the oracle's JSON schema, solved on the device by
+// the kernel code that renders.
 #pragma once
 #include <string>
 
@@ -6,8 +7,7 @@
 
 namespace nicol {
 
-// JSON text in, JSON text out. Cases of a class that the kernels do not trace answer
-// {"id", "unsupported": reason}. Throws std::runtime_error naming the case and member for malformed input.
+// JSON text in, JSON text out. Throws std::runtime_error naming the case and member for malformed input.
 std::string probe(Device& device, const std::string& json, bool real_double);
 
 }  // namespace nicol

@@ -1,11 +1,6 @@
 #include "host/opencl/probe_problem.hpp"
 
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
-#include <complex>
-#include <stdexcept>
+#include <algorithm>
 
 #include "kernels/probe_abi.h"
 
@@ -13,96 +8,9 @@ namespace nicol {
 namespace {
 
 using nlohmann::json;
-using Complex = std::complex<double>;
-using Vector = std::array<double, 3>;
-using ComplexVector = std::array<Complex, 3>;
 
-// Reads members and tells where it is when something is wrong.
-class Reader {
- public:
-  Reader(const json& value, std::string where) : value_(value), where_(std::move(where)) {}
-
-  [[noreturn]] void fail(const std::string& what) const { throw std::runtime_error(where_ + ": " + what); }
-
-  Reader member(const char* name) const {
-    if (!value_.is_object()) fail("expected an object");
-    const auto found = value_.find(name);
-    if (found == value_.end()) fail(fmt::format("member '{}' is missing", name));
-    return {*found, fmt::format("{}{}{}", where_, where_.back() == ']' || where_.back() == '\'' ? ": " : ".", name)};
-  }
-
-  std::string text() const {
-    if (!value_.is_string()) fail(fmt::format("expected a text, found {}", value_.type_name()));
-    return value_.get<std::string>();
-  }
-
-  double number() const {
-    if (!value_.is_number()) fail(fmt::format("expected a number, found {}", value_.type_name()));
-    const double x = value_.get<double>();
-    if (!std::isfinite(x)) fail("the number is not finite");
-    return x;
-  }
-
-  Reader element(std::size_t i, std::size_t size, const char* what) const {
-    if (!value_.is_array() || value_.size() != size)
-      fail(fmt::format("expected {} {}, found {}", size, what,
-                       value_.is_array() ? fmt::format("{} elements", value_.size()) : value_.type_name()));
-    return {value_[i], fmt::format("{}[{}]", where_, i)};
-  }
-
-  Vector vector() const {
-    Vector v;
-    for (std::size_t i = 0; i < 3; ++i) v[i] = element(i, 3, "numbers").number();
-    return v;
-  }
-
-  ComplexVector complex_vector() const {
-    ComplexVector v;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Reader z = element(i, 3, "complex numbers");
-      v[i] = {z.element(0, 2, "numbers (re, im)").number(), z.element(1, 2, "numbers (re, im)").number()};
-    }
-    return v;
-  }
-
- private:
-  const json& value_;
-  std::string where_;
-};
-
-struct Medium {
-  std::string kind;
-  Complex n;          // n + i k
-  double kappa = 0;
-  bool absorbs = false, chiral = false;
-  std::string unsupported;
-};
-
-bool same_on_all_axes(const Vector& v) { return v[0] == v[1] && v[1] == v[2]; }
-
-Medium read_medium(const Reader& in) {
-  const Vector n = in.member("n_principal").vector(), k = in.member("k_principal").vector(),
-               zeta = in.member("zeta_principal").vector();
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!(n[i] > 0)) in.member("n_principal").fail("an index must be positive");
-    if (k[i] < 0) in.member("k_principal").fail("k must not be negative (gain)");
-  }
-  Medium m;
-  m.kind = in.member("cls").text();
-  m.n = {n[0], k[0]};
-  m.kappa = zeta[0];
-  m.absorbs = k[0] > 0;
-  m.chiral = m.kappa != 0;
-  if ((m.kind != "isotropic" && m.kind != "chiral") || !same_on_all_axes(n) || !same_on_all_axes(k) ||
-      !same_on_all_axes(zeta))
-    m.unsupported = fmt::format("medium of class {}: the kernels trace isotropic and chiral media", m.kind);
-  else if (m.absorbs && m.chiral)
-    m.unsupported = "a chiral medium that absorbs: the kernels trace transparent ones";
-  return m;
-}
-
-// Index of a medium's wave: hand -1 right, +1 left (physics of circular waves: n - kappa, n + kappa).
-Complex wave_index(const Medium& m, int hand) { return m.n + hand * m.kappa; }
+// Waves of an isotropic medium: hand -1 right, n - kappa, and +1 left, n + kappa (complex where it absorbs).
+Complex wave_index(const ProbeMedium& m, int hand) { return Complex(m.n[0], m.k[0]) + hand * m.zeta[0]; }
 
 // (a - b)(a + b): keeps the digits of close indices, a^2 - b^2 does not.
 Complex bracket(Complex a, Complex b) { return (a - b) * (a + b); }
@@ -116,9 +24,7 @@ struct Incident {
 
 Incident read_incident(const Reader& face) {
   Incident in;
-  in.normal = face.member("N").vector();
-  if (std::fabs(dot(in.normal, in.normal) - 1) > 1e-9)
-    face.member("N").fail(fmt::format("not a unit vector: its length is {:.9g}", std::sqrt(dot(in.normal, in.normal))));
+  in.normal = face.member("N").unit_vector();
   const Reader incident = face.member("incident");
   in.k = incident.member("k").complex_vector();
   in.e = incident.member("E").complex_vector();
@@ -132,15 +38,44 @@ Incident read_incident(const Reader& face) {
   return in;
 }
 
-// The index of the incident wave: the medium's own value, which |k| only picks out.
-Complex incident_index(const Reader& face, const Medium& m, const ComplexVector& k) {
-  const Complex length = std::sqrt(k[0] * k[0] + k[1] * k[1] + k[2] * k[2]);
+// Which wave of medium 1 comes in, and |k|^2: the medium's own value where |k| only picks it out.
+struct IncidentWave {
+  int known;
+  Complex index, k2;
+};
+
+IncidentWave isotropic_wave(const ProbeMedium& m, Complex length) {
   const Complex right = wave_index(m, -1), left = wave_index(m, 1);
-  const Complex index = std::abs(length - right) < std::abs(length - left) ? right : left;
-  if (std::abs(length - index) > 1e-6 * std::abs(index))
+  const bool is_right = std::abs(length - right) < std::abs(length - left);
+  const Complex index = is_right ? right : left;
+  return {m.active ? !is_right : 2, index, index * index};
+}
+
+// The dispersion relation of the ordinary or of the extraordinary wave holds better.
+IncidentWave uniaxial_wave(const ProbeMedium& m, const ComplexVector& k, Complex k2) {
+  const double n_e = m.n[m.optic_axis], eps_o = reference_eps(m), eps_e = n_e * n_e;
+  Complex along = 0;
+  for (std::size_t i = 0; i < 3; ++i) along += k[i] * m.axes[m.optic_axis][i];
+  const double off_o = std::abs(k2 - eps_o);
+  const double off_e = std::abs(k2 * eps_o + (eps_e - eps_o) * along * along - eps_o * eps_e) / eps_e;
+  return off_o <= off_e ? IncidentWave{0, std::sqrt(eps_o), eps_o} : IncidentWave{1, std::sqrt(k2), k2};
+}
+
+IncidentWave incident_wave(const Reader& face, const ProbeMedium& m, const ComplexVector& k) {
+  const Complex k2 = k[0] * k[0] + k[1] * k[1] + k[2] * k[2], length = std::sqrt(k2);
+  const bool isotropic = reference_eps(m) == m.n[0] * m.n[0] && m.n[0] == m.n[1] && m.n[1] == m.n[2];
+  IncidentWave wave = {-1, length, k2};
+  if (isotropic && m.zeta[0] == m.zeta[1] && m.zeta[1] == m.zeta[2]) wave = isotropic_wave(m, length);
+  else if (!m.active && !m.absorbs && m.n[(m.optic_axis + 1) % 3] == m.n[(m.optic_axis + 2) % 3]) wave = uniaxial_wave(m, k, k2);
+  const auto [least, most] = std::minmax_element(m.n.begin(), m.n.end());
+  const double slack = 1e-6 * *most + 2 * std::max({std::fabs(m.zeta[0]), std::fabs(m.zeta[1]), std::fabs(m.zeta[2])});
+  if (isotropic && std::abs(length - wave.index) > 1e-6 * std::abs(wave.index))
     face.member("incident").member("k").fail(
-        fmt::format("its length {:.9g} is no index of medium1 ({:.9g})", length.real(), index.real()));
-  return index;
+        fmt::format("its length {:.9g} is no index of medium1 ({:.9g})", length.real(), wave.index.real()));
+  if (length.real() < *least - slack || length.real() > *most + slack)
+    face.member("incident").member("k").fail(
+        fmt::format("its length {:.9g} is no index of medium1 ({:.9g} to {:.9g})", length.real(), *least, *most));
+  return wave;
 }
 
 void put(std::vector<double>& scalars, int at, const ComplexVector& v) {
@@ -155,42 +90,67 @@ void put(std::vector<double>& scalars, int at, Complex z) {
   scalars[at + 1] = z.imag();
 }
 
-std::vector<double> scalars_of(const Incident& in, const Medium& medium1, const Medium& medium2, Complex index) {
-  std::vector<double> s(PROBE_SCALARS);
-  s[PROBE_CLASS1] = medium1.chiral ? PROBE_CHIRAL : PROBE_ISOTROPIC;
-  s[PROBE_CLASS2] = medium2.chiral ? PROBE_CHIRAL : PROBE_ISOTROPIC;
-  s[PROBE_ABSORBS] = medium1.absorbs || medium2.absorbs;
-  for (std::size_t i = 0; i < 3; ++i) s[PROBE_NORMAL + i] = in.normal[i];
-  put(s, PROBE_K, in.k);
-  put(s, PROBE_E, in.e);
-  put(s, PROBE_H, in.h);
-  put(s, PROBE_N1, medium1.n);
-  put(s, PROBE_N2, medium2.n);
-  s[PROBE_KAPPA1] = medium1.kappa;
-  s[PROBE_KAPPA2] = medium2.kappa;
-  for (int wave = 0; wave < 2; ++wave) {
-    put(s, PROBE_BRACKETS1 + 2 * wave, bracket(wave_index(medium1, 2 * wave - 1), index));
-    put(s, PROBE_BRACKETS2 + 2 * wave, bracket(wave_index(medium2, 2 * wave - 1), index));
-  }
-  return s;
+Complex bracket_of(const ProbeMedium& m, const ProbeMedium& medium1, const IncidentWave& wave) {
+  const bool plain = m.n[0] == m.n[1] && m.n[1] == m.n[2] && !m.active;
+  const bool plain1 = medium1.n[0] == medium1.n[1] && medium1.n[1] == medium1.n[2] && !medium1.active;
+  if (plain && plain1) return bracket(Complex(m.n[0], m.k[0]), wave.index);
+  if (wave.index == std::sqrt(reference_eps(m))) return 0;
+  return reference_eps(m) - wave.k2;
+}
+
+Reader named_case(const json& value, const char* kind, std::size_t position, std::string& id) {
+  const Reader unnamed(value, fmt::format("{}[{}]", kind, position));
+  id = unnamed.member("id").text();
+  return {value, fmt::format("case '{}'", id)};
 }
 
 }  // namespace
 
-ProbeProblem read_problem(const json& face, std::size_t position) {
+ProbeProblem read_face(const json& value, std::size_t position) {
   ProbeProblem problem;
-  const Reader unnamed(face, fmt::format("interface[{}]", position));
-  problem.id = unnamed.member("id").text();
-  const Reader named(face, fmt::format("case '{}'", problem.id));
-  const Medium medium1 = read_medium(named.member("medium1")), medium2 = read_medium(named.member("medium2"));
-  const Incident incident = read_incident(named);
-  problem.absorbs[0] = medium1.absorbs;
-  problem.absorbs[1] = medium2.absorbs;
-  problem.unsupported = !medium1.unsupported.empty() ? medium1.unsupported : medium2.unsupported;
-  if (problem.unsupported.empty() && (medium1.absorbs || medium2.absorbs) && (medium1.chiral || medium2.chiral))
-    problem.unsupported = "a face between a medium that absorbs and a chiral one";
-  if (problem.unsupported.empty())
-    problem.scalars = scalars_of(incident, medium1, medium2, incident_index(named, medium1, incident.k));
+  const Reader face = named_case(value, "interface", position, problem.id);
+  for (std::size_t i = 0; i < 2; ++i) problem.media[i] = read_probe_medium(face.member(i == 0 ? "medium1" : "medium2"));
+  const Incident in = read_incident(face);
+  const IncidentWave wave = incident_wave(face, problem.media[0], in.k);
+  std::vector<double>& s = problem.scalars;
+  s.resize(PROBE_SCALARS);
+  s[PROBE_TASK] = PROBE_FACE;
+  s[PROBE_KNOWN] = wave.known;
+  for (std::size_t i = 0; i < 3; ++i) s[PROBE_NORMAL + i] = in.normal[i];
+  put(s, PROBE_K, in.k);
+  put(s, PROBE_E, in.e);
+  put(s, PROBE_H, in.h);
+  put(s, PROBE_BRACKET1, bracket_of(problem.media[0], problem.media[0], wave));
+  put(s, PROBE_BRACKET2, bracket_of(problem.media[1], problem.media[0], wave));
+  put_medium(s, PROBE_MEDIUM1, problem.media[0]);
+  put_medium(s, PROBE_MEDIUM2, problem.media[1]);
+  return problem;
+}
+
+ProbeProblem read_bulk(const json& value, std::size_t position) {
+  ProbeProblem problem;
+  const Reader bulk = named_case(value, "bulk", position, problem.id);
+  problem.media[0] = read_probe_medium(bulk.member("medium"));
+  problem.normal = bulk.member("s").unit_vector();
+  problem.scalars.resize(PROBE_SCALARS);
+  problem.scalars[PROBE_TASK] = PROBE_BULK;
+  for (std::size_t i = 0; i < 3; ++i) problem.scalars[PROBE_NORMAL + i] = problem.normal[i];
+  put_medium(problem.scalars, PROBE_MEDIUM1, problem.media[0]);
+  return problem;
+}
+
+ProbeProblem read_propagation(const json& value, std::size_t position) {
+  ProbeProblem problem = read_bulk(value, position);
+  const Reader in = named_case(value, "propagation", position, problem.id);
+  const Vector x = in.member("x").unit_vector();
+  if (std::fabs(dot(x, problem.normal)) > 1e-9) in.member("x").fail("not across s");
+  const double lambda = in.member("lambda_m").number();
+  if (!(lambda > 0)) in.member("lambda_m").fail("a wavelength must be positive");
+  std::vector<double>& s = problem.scalars;
+  s[PROBE_TASK] = PROBE_PROPAGATION;
+  for (std::size_t i = 0; i < 3; ++i) s[PROBE_K + i] = x[i];
+  for (std::size_t i = 0; i < 2; ++i) put(s, static_cast<int>(PROBE_D_IN + 2 * i), in.member("D_in").element(i, 2, "complex numbers").complex());
+  s[PROBE_DEPTH] = in.member("d_m").number() / lambda;
   return problem;
 }
 

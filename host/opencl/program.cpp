@@ -18,8 +18,9 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 // No option that loosens the arithmetic: with fast-relaxed or finite-math-only PoCL folds tests for NaN away.
 std::string build_options(const DeviceInfo& device, const KernelRequest& request) {
-  return fmt::format("-cl-std=CL1.2 -w -D LANES={} -D LOCAL_SIZE={}{}{}", request.lanes, local_size_on(device),
-                     request.real_double ? " -D REAL_DOUBLE" : "", request.defines);
+  return fmt::format("-cl-std=CL1.2 -w -D LANES={} -D LOCAL_SIZE={}{}{}{}", request.lanes, local_size_on(device),
+                     device.has_fp64 ? " -D NICOL_FP64" : "", request.real_double ? " -D REAL_DOUBLE" : "",
+                     request.defines);
 }
 
 std::string identity_of(const DeviceInfo& d, const std::string& kernel, const std::string& options,

@@ -64,7 +64,7 @@ struct Kernels {
   std::vector<ActiveAnswer> (*active_face)(const std::vector<ActiveCase>&);
   std::vector<Complex> (*rotation)(const std::vector<TurnCase>&);  // cosine + i sine
   std::vector<StateAnswer> (*passing_states)(const PackedScene&, const std::vector<StateCase>&);
-  std::vector<double> (*solve_face)(const std::vector<double>& problem);  // one lane only, else null
+  std::vector<double> (*solve)(const std::vector<double>& problem);  // of probe_abi.h; one lane only, else null
   // One ray per lane; the scene must have the feature lanes_over_pixels when there are several lanes.
   std::vector<Light> (*follow_rays)(const PackedScene&, const std::vector<RayCase>&, int channel, Counters&);
   // The picture, [pixel][channel][S0 S1 S2 S3 cut-off], one sample in the middle of each pixel.
