@@ -69,6 +69,7 @@ sdl::Options parse_options(const SceneOptions& options) {
 
 BindOptions bind_options(const std::string& path, const SceneOptions& options) {
   BindOptions result;
+  result.library_paths = parse_options(options).library_paths;
   result.width = options.width;
   result.height = options.height;
   result.path = path;

@@ -14,6 +14,7 @@ namespace nicol {
 struct BindOptions {
   int width = 640, height = 480;  // of the picture
   std::string path;               // of the scene, for Scene::path
+  std::vector<std::string> library_paths;  // where gem cuts are looked for, as include files are
   std::vector<double> lambda_nm;  // empty: as the scene says
   std::optional<int> max_trace_level;
   std::optional<double> adc_bailout;

@@ -3,7 +3,7 @@
 // their planes here. All other CSG is in csg.cpp.
 #include <algorithm>
 
-#include "host/bind/parts.hpp"
+#include "host/bind/crystal.hpp"
 #include "host/bind/units.hpp"
 #include "host/bind/vec.hpp"
 
@@ -35,7 +35,10 @@ bool append_faces(Context& context, const sdl::Block& block, bool outside, Faces
     own[0].offset = -own[0].offset;
   }
   Affines steps = raw.transforms;
-  if (block.name == "crystal" && !is_instance(raw)) steps.insert(steps.begin(), from_crystal());
+  if (!is_instance(raw)) {
+    const Affines frame = shape_frame(raw);
+    steps.insert(steps.begin(), frame.begin(), frame.end());
+  }
   for (const HalfSpace& face : own) faces.push_back(transform(steps, face));
   if (faces.size() <= most_faces) return true;
   context.error(block.where, "a solid with more than " + std::to_string(most_faces) + " faces");
@@ -65,7 +68,7 @@ std::optional<std::size_t> half_space_count(Context& context, const RawObject& r
   if (is_instance(raw)) return count_of_child(context, *raw.children[0], false);
   if (kind == "box") return 6;
   if (kind == "plane") return 1;
-  if (kind == "crystal") return raw.facets.size();
+  if (kind == "crystal" || kind == "gem") return raw.facets.size();
   if ((kind != "intersection" && kind != "difference") || raw.children.empty())
     return std::nullopt;
   std::size_t sum = 0;
@@ -80,7 +83,11 @@ std::optional<std::size_t> half_space_count(Context& context, const RawObject& r
 
 bool convex_faces(Context& context, const RawObject& raw, std::vector<HalfSpace>& faces) {
   const std::string kind = kind_of(raw);
-  if (kind == "crystal" && !is_instance(raw)) faces = raw.facets;
+  if (!raw.individuals.empty()) {
+    context.error(raw.block->where, "a twin cannot be cut; 'facet' inside it cuts its individuals");
+    return false;
+  }
+  if ((kind == "crystal" || kind == "gem") && !is_instance(raw)) faces = raw.facets;
   if (kind == "box" && raw.vectors.size() == 2) faces = box_faces(raw);
   if (kind == "plane" && raw.vectors.size() == 1)
     if (const auto h = half_space(context, raw.block->where, raw.vectors[0], raw.numbers[0]))
@@ -107,7 +114,7 @@ std::optional<HalfSpace> half_space(Context& context, Location where, Vec3 norma
 
 std::optional<ConvexShape> convex_shape(Context& context, const RawObject& raw) {
   ConvexShape shape;
-  if (!convex_faces(context, raw, shape.faces)) return std::nullopt;
+  if (!convex_faces(context, raw, shape.faces) || !check_closed(context, raw)) return std::nullopt;
   if (raw.inverse) {
     context.error(raw.block->where,
                   "an inverse solid fills all of space; inside an intersection it cuts");

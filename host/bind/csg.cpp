@@ -98,7 +98,7 @@ class TreeReader {
     ConvexShape convex;
     if (!convex_faces(context_, raw, convex.faces)) return std::nullopt;
     node.leaf = std::move(convex);
-    if (node.kind == "crystal") node.transforms = {from_crystal()};
+    node.transforms = shape_frame(raw);
     return node;
   }
 };

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cstring>
 
-#include "host/bind/parts.hpp"
+#include "host/bind/crystal.hpp"
 
 namespace nicol {
 
 namespace {
 
-const std::vector<const char*> rendered = {"box",          "crystal",   "plane",  "prism",
+const std::vector<const char*> rendered = {"box",          "crystal",   "gem",    "plane", "prism",
                                            "polygon",      "disc",      "object", "union",
                                            "intersection", "difference", "merge"};
 const std::vector<const char*> not_rendered = {"sphere",       "cylinder",      "cone",
@@ -40,15 +40,8 @@ void add_shape_rules(Context* c, const std::string& kind, RawObject* r, Schema& 
   if (kind == "polygon")
     rules.push_back(
         {"", "nV", store, "number of points, points; each contour ends where it began"});
-  if (kind == "crystal") {
-    const auto facet = [=](const Args& a) {
-      if (const auto h = half_space(*c, a.where, a.vectors[0], a.numbers[0]))
-        r->facets.push_back(*h);
-    };
-    rules.push_back(
-        {"facet", "vn", facet, "outward normal (right-handed Cartesian axes), distance along it"});
-    rules.push_back({"face", "vn", facet, "the same"});
-  }
+  if (kind == "crystal") add_crystal_rules(*c, *r, schema);
+  if (kind == "gem") add_gem_rules(*c, *r, schema);
   if (kind == "prism") {
     rules.push_back(
         {"", "nnnP", store, "y of the foot, y of the top, number of points, points <x,z>"});
@@ -119,12 +112,14 @@ void read_words(Context& context, const sdl::Block& block, RawObject& raw) {
   const std::size_t errors_before = context.error_count();
   const Schema schema = object_schema(context, block.name.c_str(), raw);
   read_block(context, block, schema);
+  if (raw.crystal && raw.children.empty()) finish_crystal(context, raw);
+  if (raw.gem && raw.children.empty()) finish_gem(context, raw);
   const bool has_values = !raw.vectors.empty() || !raw.points.empty() || !raw.facets.empty();
   const bool shaped = schema.find("", false) || block.name == "crystal";
   if (shaped && !has_values && raw.children.empty() && context.error_count() == errors_before)
     context.error(block.end_where,
                   block.name == "crystal"
-                      ? "Expected 'facet', } of 'crystal' found instead"
+                      ? "Expected 'facet' or 'form', } of 'crystal' found instead"
                       : "Expected 'numeric expression', } of '" + block.name + "' found instead");
 }
 

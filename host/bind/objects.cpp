@@ -34,7 +34,8 @@ Affines transforms_of(const Chain* chain) {
 Affines all_transforms(Context& context, const Chain* chain) {
   const RawObject& leaf = *chain->raw;
   Affines all = transforms_of(chain);
-  if (leaf.block->name == "crystal") all.insert(all.begin(), from_crystal());
+  const Affines frame = shape_frame(leaf);
+  all.insert(all.begin(), frame.begin(), frame.end());
   all.push_back(to_world(context.scene.settings.mm_per_unit));
   context.transform_count += all.size();
   if (context.transform_count > context.limits.transforms) {
@@ -204,6 +205,20 @@ void add_convex(Context& context, const Chain* chain, Object& object) {
   context.scene.objects.push_back(std::move(object));
 }
 
+// Individuals are crystals of their own, in optical contact.
+void add_twin(Context& context, const Chain* chain, const Object& object) {
+  for (const RawIndividual& individual : chain->raw->individuals) {
+    RawObject alone = *chain->raw;
+    alone.individuals.clear();
+    alone.facets = individual.faces;
+    alone.crystal_frame = individual.frame;
+    const Chain link{&alone, chain->outer};
+    Object part = object;
+    part.optical_contact = true;
+    add_convex(context, &link, part);
+  }
+}
+
 void add_prism(Context& context, const Chain* chain, Object& object) {
   const auto shape = prism_shape(context, *chain->raw);
   if (!shape) return;
@@ -235,6 +250,7 @@ void add_leaf(Context& context, const Chain* chain) {
                   "from planes with 'intersection', or use 'polygon' or 'disc'");
     return;
   }
+  if (!raw.individuals.empty()) return add_twin(context, chain, object);
   if (half_space_count(context, raw)) return add_convex(context, chain, object);
   add_csg(context, chain, object);
 }
@@ -259,6 +275,13 @@ void add_object(Context& context, const sdl::Block& block, const Chain* outer) {
 }
 
 }  // namespace
+
+Affines shape_frame(const RawObject& raw) {
+  Affines frame;
+  if (raw.axes) frame.push_back(*raw.axes);
+  if (raw.block->name == "crystal") frame.push_back(from_crystal());
+  return frame;
+}
 
 void bind_object(Context& context, const sdl::Block& block) { add_object(context, block, nullptr); }
 

@@ -169,15 +169,26 @@ std::optional<int> bind_medium(Context& context, const sdl::Block& interior,
 void bind_surroundings(Context& context, const sdl::Block& block);
 
 // ---- object_words.cpp: what a block of an object says, before it means anything ----
+struct RawCrystal;       // crystal.hpp
+struct RawGem;           // crystal.hpp
+struct RawIndividual {  // of a twin
+  std::vector<HalfSpace> faces;
+  CrystalFrame frame;
+};
 struct RawObject {
   const sdl::Block* block = nullptr;
   std::vector<Vec3> vectors;                  // box, plane, disc, polygon
   std::vector<double> numbers;                // plane, disc, polygon, prism
   std::vector<std::array<double, 2>> points;  // prism
-  std::vector<HalfSpace> facets;              // crystal
+  std::vector<HalfSpace> facets;              // crystal, gem
   std::vector<const sdl::Block*> children;
   Affines transforms;
   CrystalFrame crystal_frame;
+  std::optional<Affine> axes;  // crystal of a lattice: facets are in lattice coordinates, this makes
+                               // them Cartesian
+  std::vector<RawIndividual> individuals;  // twin: in place of facets and crystal_frame
+  std::shared_ptr<RawCrystal> crystal;
+  std::shared_ptr<RawGem> gem;
   const sdl::Block* interior = nullptr;
   const sdl::Block* polarizer = nullptr;
   std::vector<const sdl::Block*> lights;
@@ -209,6 +220,8 @@ std::optional<DiscShape> disc_shape(Context& context, const RawObject& raw);
 std::optional<PrismShape> prism_shape(Context& context, const RawObject& raw);
 
 // ---- objects.cpp ----
+// From the coordinates of a shape to those of its object's text: what a crystal's facets are written in.
+Affines shape_frame(const RawObject& raw);
 void bind_object(Context& context, const sdl::Block& block);
 
 // ---- expect.cpp ----

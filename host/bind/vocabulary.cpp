@@ -1,6 +1,6 @@
 // The tables of the language, printed from the very rules that read it.
 #include "host/bind/bind.hpp"
-#include "host/bind/parts.hpp"
+#include "host/bind/crystal.hpp"
 
 namespace nicol {
 
@@ -109,6 +109,10 @@ std::string vocabulary() {
     RawObject object;
     print(out, object_schema(context, kind.c_str(), object));
   }
+  RawTwin twin;
+  print(out, twin_schema(context, twin));
+  RawGem::Tier tier;
+  print(out, gem_facet_schema(context, tier));
   print(out, expect_schema(context, expectation));
   return out;
 }

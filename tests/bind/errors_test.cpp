@@ -107,7 +107,7 @@ const Bad bad[] = {
      "'at' lies outside the picture (0 to 1 from the left and from the top)"},
     {"luminous { }", 2, "'luminous' belongs inside an object: a polygon, a disc, a box"},
     {"object { rotate x }", 2, "Expected an object in 'object', } found instead"},
-    {"crystal { interior { ior 1.5 } }", 2, "Expected 'facet', } of 'crystal' found instead"},
+    {"crystal { interior { ior 1.5 } }", 2, "Expected 'facet' or 'form', } of 'crystal' found instead"},
 };
 
 }  // namespace

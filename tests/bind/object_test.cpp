@@ -69,7 +69,7 @@ TEST_CASE("crystal is right-handed: its axes reach the world unmirrored") {
   check_near(transform_point(list, {0, 1, 0}), {10, 0, 0});  // to the right
   check_near(transform_point(list, {0, 0, 2}), {0, 20, 0});  // up
   CHECK(determinant_sign(list) == 1);
-  CHECK(convex(b).faces[6].offset ==
+  CHECK(convex(b).faces[5].offset ==
         doctest::Approx(1.5 * std::sqrt(3)));  // distance, not d of the text
 }
 

@@ -30,7 +30,8 @@ TREE_WORDS = r"\bsdl::(Block|BlockPtr|Item|Word|Vector|Document|print)\b"
 # The modules of host that a module may include beside itself; "" stands for the headers in host/ itself.
 HOST_MODULES = {
     "optics": set(),
-    "bind": {"", "optics"},
+    "crystallography": {""},
+    "bind": {"", "optics", "crystallography"},
     "solids": {""},
     "output": {"optics"},
     "opencl": {"", "output", "optics"},

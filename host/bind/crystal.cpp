@@ -1,0 +1,318 @@
+// `crystal { }` with a lattice: cell, symmetry, forms and twins to half-spaces.
+#include "host/bind/crystal.hpp"
+
+#include <algorithm>
+
+#include "host/crystallography/bounded.hpp"
+#include "host/crystallography/cdl.hpp"
+#include "host/vec.hpp"
+
+namespace nicol {
+
+namespace {
+
+using namespace crystallography;
+
+constexpr std::size_t most_faces = 10'000;
+
+// c/a of systems with one free ratio where the scene names none.
+constexpr double default_ratio = 1.1;
+
+void read_cdl(Context& context, RawCrystal& raw) {
+  if (raw.cdl.empty()) return;
+  const auto parsed = parse_cdl(raw.cdl);
+  if (const CdlError* error = std::get_if<CdlError>(&parsed)) {
+    context.error(raw.cdl_where, "CDL, character " + std::to_string(error->at + 1) + ": " +
+                                     error->message + "\n  " + raw.cdl + "\n  " +
+                                     std::string(error->at, ' ') + "^");
+    return;
+  }
+  const Cdl& cdl = std::get<Cdl>(parsed);
+  if (!raw.system.empty() || !raw.point_group.empty())
+    context.error(raw.cdl_where, "'cdl' names system and point group itself");
+  raw.system = name(cdl.system);
+  raw.point_group = cdl.point_group;
+  raw.system_where = raw.point_group_where = raw.cdl_where;
+  for (const CdlForm& f : cdl.forms) raw.forms.push_back({f.face, f.distance, false, raw.cdl_where});
+  if (cdl.twin) {
+    if (raw.twin) context.error(raw.twin->where, "'cdl' names a twin already");
+    raw.twin.emplace();
+    raw.twin->where = raw.cdl_where;
+    raw.twin->element = cdl.twin;
+    raw.twin->contact = cdl.twin->contact;
+    raw.twin->penetration = cdl.twin->penetration;
+    raw.twin->angle_deg = cdl.twin->angle_deg;
+  }
+}
+
+std::optional<System> system_of(Context& context, const RawCrystal& raw) {
+  if (raw.system.empty()) return std::nullopt;
+  const auto system = find_system(raw.system);
+  if (!system)
+    context.error(raw.system_where,
+                  unknown("crystal system", raw.system, "'crystal'", system_names()));
+  return system;
+}
+
+std::optional<PointGroup> group_of(Context& context, const RawCrystal& raw, Location where) {
+  const auto system = system_of(context, raw);
+  if (!raw.system.empty() && !system) return std::nullopt;
+  std::string symbol = raw.point_group;
+  if (symbol.empty() && system) symbol = holohedry(*system);
+  if (symbol.empty() && raw.rhombohedral) symbol = holohedry(System::trigonal);
+  if (symbol.empty()) {
+    if (!raw.forms.empty() && std::any_of(raw.forms.begin(), raw.forms.end(),
+                                          [](const RawForm& f) { return !f.single; })) {
+      context.error(where, "forms need a 'point_group' (or 'system') to find their faces");
+      return std::nullopt;
+    }
+    symbol = "1";
+  }
+  const auto group = find_point_group(symbol, raw.rhombohedral);
+  if (!group) {
+    const bool on_other_axes = find_point_group(symbol).has_value();
+    context.error(raw.point_group_where.line ? raw.point_group_where : where,
+                  on_other_axes ? "point group '" + symbol + "' has no rhombohedral axes"
+                                : unknown("point group", symbol, "'crystal'",
+                                          point_group_symbols()));
+    return std::nullopt;
+  }
+  if (system && group->system != *system) {
+    context.error(raw.point_group_where, "point group '" + group->symbol + "' is " +
+                                             name(group->system) + ", not " + name(*system));
+    return std::nullopt;
+  }
+  return group;
+}
+
+double standard_gamma(System system) {
+  return system == System::trigonal || system == System::hexagonal ? 120 : 90;
+}
+
+std::optional<Cell> cell_of_lengths(const RawCrystal& raw, System system) {
+  const auto& n = raw.cell;
+  Cell cell;
+  cell.gamma_deg = standard_gamma(system);
+  switch (n.size()) {
+    case 1:
+      return system == System::cubic ? std::optional<Cell>(cell) : std::nullopt;
+    case 2:
+      if (!raw.rhombohedral) return std::nullopt;
+      return Cell{1, 1, 1, n[1], n[1], n[1]};
+    case 4:
+      if (system != System::monoclinic) return std::nullopt;
+      return Cell{n[0], n[1], n[2], 90, n[3], 90};
+    case 3:
+      return Cell{n[0], n[1], n[2], 90, 90, cell.gamma_deg};
+    case 6:
+      return Cell{n[0], n[1], n[2], n[3], n[4], n[5]};
+    default:
+      return std::nullopt;
+  }
+}
+
+// Rhombohedral angle of a hexagonal c/a: sin(alpha / 2) = 3 / (2 sqrt(3 + (c/a)^2)).
+double rhombohedral_angle_deg(double ratio) {
+  constexpr double degrees = 180 / 3.14159265358979323846;
+  return 2 * std::asin(1.5 / std::sqrt(3 + ratio * ratio)) * degrees;
+}
+
+std::optional<Cell> cell_of_ratios(const RawCrystal& raw, System system) {
+  const auto& n = raw.axial_ratio;
+  const bool one_ratio = system == System::tetragonal || system == System::trigonal ||
+                         system == System::hexagonal;
+  if (n.size() == 1 && raw.rhombohedral) {
+    const double alpha_deg = rhombohedral_angle_deg(n[0]);
+    return Cell{1, 1, 1, alpha_deg, alpha_deg, alpha_deg};
+  }
+  if (n.size() == 1 && one_ratio) return Cell{1, 1, n[0], 90, 90, standard_gamma(system)};
+  if (one_ratio || system == System::cubic) return std::nullopt;
+  if (n.size() == 2) return Cell{n[0], 1, n[1], 90, 90, 90};
+  if (n.size() == 3) return Cell{n[0], 1, n[1], 90, n[2], 90};
+  if (n.size() == 5) return Cell{n[0], 1, n[1], n[2], n[3], n[4]};
+  return std::nullopt;
+}
+
+std::optional<Cell> cell_of(Context& context, const RawCrystal& raw, System system,
+                            Location where) {
+  if (!raw.cell.empty() && !raw.axial_ratio.empty()) {
+    context.error(raw.cell_where, "'cell' and 'axial_ratio' both give the lattice");
+    return std::nullopt;
+  }
+  if (!raw.cell.empty() || !raw.axial_ratio.empty()) {
+    const auto cell =
+        raw.cell.empty() ? cell_of_ratios(raw, system) : cell_of_lengths(raw, system);
+    if (!cell)
+      context.error(raw.cell_where,
+                    std::string(raw.cell.empty()
+                                    ? "'axial_ratio' is c/a (tetragonal, trigonal, hexagonal) or "
+                                      "a/b, c/b[, beta or alpha, beta, gamma]"
+                                    : "'cell' is a, b, c[, alpha, beta, gamma], or a, b, c, beta "
+                                      "(monoclinic), or a, alpha (rhombohedral)") +
+                        "; the system is " + name(system));
+    return cell;
+  }
+  if (system == System::cubic) return Cell{};
+  if (system == System::tetragonal || system == System::trigonal || system == System::hexagonal) {
+    context.warning(where, "no 'axial_ratio' or 'cell': c/a = " + to_text(default_ratio) +
+                               " is taken; angles between faces depend on it");
+    if (!raw.rhombohedral)
+      return Cell{1, 1, default_ratio, 90, 90, standard_gamma(system)};
+    const double alpha_deg = rhombohedral_angle_deg(default_ratio);
+    return Cell{1, 1, 1, alpha_deg, alpha_deg, alpha_deg};
+  }
+  context.error(where, std::string("a ") + name(system) + " crystal needs its 'axial_ratio' or 'cell'");
+  return std::nullopt;
+}
+
+std::optional<Lattice> lattice_of(Context& context, const RawCrystal& raw,
+                                  const PointGroup& group, Location where) {
+  const auto cell = cell_of(context, raw, group.system, where);
+  if (!cell) return std::nullopt;
+  std::string why;
+  const auto lattice = make_lattice(*cell, raw.rhombohedral, why);
+  const Location place = raw.cell_where.line ? raw.cell_where : where;
+  if (!lattice) {
+    context.error(place, why);
+  } else if (!fits(*lattice, group)) {
+    context.error(place, "this cell has not the symmetry of point group " + group.symbol + ": " +
+                             name(group.system) + " means " +
+                             cell_rule(group.system, raw.rhombohedral));
+    return std::nullopt;
+  }
+  return lattice;
+}
+
+std::optional<Composition> composition_of(Context& context, const RawTwin& raw) {
+  Composition twin;
+  twin.offset = raw.offset;
+  twin.individuals = raw.individuals;
+  twin.thickness = raw.thickness;
+  if (!raw.law.empty() == raw.element.has_value()) {
+    context.error(raw.where, "a twin has a 'law', or an 'axis', 'normal' or 'plane': one of them");
+    return std::nullopt;
+  }
+  if (raw.element) twin.law = *raw.element;
+  if (!raw.law.empty()) {
+    std::vector<std::string> known;
+    const NamedTwinLaw* found = nullptr;
+    for (const NamedTwinLaw& row : twin_laws()) {
+      known.push_back(row.name);
+      if (raw.law == row.name) found = &row;
+    }
+    if (!found) {
+      context.error(raw.where, unknown("twin law", raw.law, "'twin'", known));
+      return std::nullopt;
+    }
+    twin.law = found->law;
+  }
+  if (raw.angle_deg) twin.law.angle_deg = *raw.angle_deg;
+  if (raw.contact) {
+    twin.law.contact = raw.contact;
+    twin.law.penetration = false;
+  }
+  if (raw.penetration) twin.law.penetration = true;
+  if (twin.individuals > 2 && twin.thickness == 0) {
+    context.error(raw.where, "more than two individuals need a 'thickness'");
+    return std::nullopt;
+  }
+  return twin;
+}
+
+void add_faces(Context& context, RawCrystal& raw, const PointGroup& group, Habit& habit) {
+  for (const RawFace& f : raw.faces) {
+    std::string why;
+    const auto face = face_of_indices(f.direction, why);
+    if (!face) context.error(f.where, why);
+    else raw.forms.push_back({*face, f.distance, true, f.where});
+  }
+  const bool inverted = raw.left || raw.enantiomorph;
+  if (inverted && !group.has_hands())
+    context.warning(raw.hand_where, "point group " + group.symbol +
+                                        " has mirror symmetry: its crystals are neither left nor "
+                                        "right, and 'left' turns faces to their opposites");
+  for (const RawForm& f : raw.forms) {
+    const Miller face = inverted ? -f.face : f.face;
+    if (f.single) habit.faces.push_back({face, f.distance});
+    else
+      for (const Miller m : form(group, face)) habit.faces.push_back({m, f.distance});
+    if (habit.faces.size() <= most_faces) continue;
+    context.error(f.where, "a crystal with more than " + std::to_string(most_faces) + " faces");
+    throw GiveUp{};
+  }
+}
+
+// "[0 0 1]" of a lattice if small whole numbers do, else "<0, 0, 1>".
+std::string direction_text(Vec3 d, bool zone) {
+  const double most = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+  const auto list = [](Vec3 v, const char* between) {
+    return to_text(v.x + 0.0) + between + to_text(v.y + 0.0) + between + to_text(v.z + 0.0);
+  };
+  for (int factor = 1; zone && factor <= 12; ++factor) {
+    const Vec3 v = d * (factor / most);
+    const Vec3 whole{std::round(v.x), std::round(v.y), std::round(v.z)};
+    if (length(v - whole) < 1e-9) return "[" + list(whole, " ") + "]";
+  }
+  const auto short_of = [&](double x) { return std::round(x / most * 1e4) / 1e4; };
+  return "<" + list({short_of(d.x), short_of(d.y), short_of(d.z)}, ", ") + ">";
+}
+
+// Without a lattice: `face` is `facet`.
+void finish_cartesian(Context& context, RawObject& object) {
+  for (const RawFace& f : object.crystal->faces) {
+    std::vector<double> d = f.direction;
+    d.resize(3, d.size() == 1 ? d[0] : 0);
+    if (const auto h = half_space(context, f.where, {d[0], d[1], d[2]}, f.distance))
+      object.facets.push_back(*h);
+  }
+}
+
+}  // namespace
+
+void finish_crystal(Context& context, RawObject& object) {
+  RawCrystal& raw = *object.crystal;
+  const Location where = object.block->where;
+  if (!raw.has_lattice()) return finish_cartesian(context, object);
+  const std::size_t errors_before = context.error_count();
+  read_cdl(context, raw);
+  if (context.error_count() > errors_before) return;
+  const auto group = group_of(context, raw, where);
+  if (!group) return;
+  const auto lattice = lattice_of(context, raw, *group, where);
+  if (!lattice) return;
+  Habit habit;
+  habit.lattice = *lattice;
+  habit.size = raw.size;
+  habit.cuts = object.facets;
+  add_faces(context, raw, *group, habit);
+  if (raw.twin && !(habit.twin = composition_of(context, *raw.twin))) return;
+  object.axes = basis(*lattice);
+  object.individuals.clear();
+  for (Individual& one : individuals(habit)) {
+    RawIndividual part;
+    part.faces = std::move(one.faces);
+    part.frame.extra = one.turn;
+    part.frame.opposite_hand = one.opposite_hand != raw.enantiomorph;
+    object.individuals.push_back(std::move(part));
+  }
+  object.facets = object.individuals[0].faces;
+  object.crystal_frame = object.individuals[0].frame;
+  if (object.individuals.size() == 1) object.individuals.clear();
+}
+
+bool check_closed(Context& context, const RawObject& raw) {
+  constexpr std::size_t most_checked = 2000;  // beyond, only the builder of solids tells
+  if ((!raw.crystal && !raw.gem) || raw.facets.empty() || raw.facets.size() > most_checked)
+    return true;
+  const auto open = open_direction(raw.facets);
+  if (!open) return true;
+  context.error(raw.block->where,
+                "this " + raw.block->name + " is open towards " +
+                    direction_text(*open, raw.axes.has_value()) +
+                    (raw.axes     ? ": no form or face closes it there"
+                     : raw.crystal ? " (X, Y, Z): no facet closes it there"
+                                   : ": no facet closes it there"));
+  return false;
+}
+
+}  // namespace nicol
