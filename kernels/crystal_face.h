@@ -128,7 +128,8 @@ FUNCTION void send_pair(PRIVATE const SceneView* view, PRIVATE const Path* from,
   vec3 normal = wave_normal(path->k);
   cplx phase[2];
   path->axis = across_incidence(normal, normal);
-  phase[0] = polarization_axes(w[0].d, normal, &path->axis, &path->ellipse);
+  cvec3 d0 = half_across(unit_complex(w[0].d), unit_complex(w[1].d));
+  phase[0] = polarization_axes(d0, normal, &path->axis, &path->ellipse);
   phase[1] = unit_phase(inner(unit_d(path->axis, cross3(path->axis, normal), path->ellipse, 1), w[1].d));
   real root = sqrt_of(mu);
   for (int r = 0; r < jones_rows(view); ++r) {

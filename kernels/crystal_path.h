@@ -74,6 +74,23 @@ FUNCTION cplx unit_phase(cplx a) {
   return complex_of(pick(some, a.re * inverse, lanes(1)), pick(some, a.im * inverse, lanes(0)));
 }
 
+FUNCTION cvec3 unit_complex(cvec3 a) {
+  real length2 = dot3(a.re, a.re) + dot3(a.im, a.im);
+  real inverse = lanes(1) / sqrt_of(pick(length2 > lanes(1e-30f), length2, lanes(1)));
+  a.re = scale3(inverse, a.re);
+  a.im = scale3(inverse, a.im);
+  return a;
+}
+
+// a - b (b* . a)/2: the first of two unit vectors, each moved half the way to be perpendicular (Lowdin, J. Chem. Phys. 18, 365 (1950)).
+FUNCTION cvec3 half_across(cvec3 a, cvec3 b) {
+  cplx overlap = inner(b, a);
+  real re = lanes(0.5f) * overlap.re, im = lanes(0.5f) * overlap.im;
+  a.re = sub3(a.re, sub3(scale3(re, b.re), scale3(im, b.im)));
+  a.im = sub3(a.im, add3(scale3(re, b.im), scale3(im, b.re)));
+  return a;
+}
+
 // Writes D (any phase and length) as w |D| (c e + i s f); returns the phase w.
 FUNCTION cplx polarization_axes(cvec3 d, vec3 normal, PRIVATE vec3* e, PRIVATE real* s) {
   cplx square = complex_of(dot3(d.re, d.re) - dot3(d.im, d.im), lanes(2) * dot3(d.re, d.im));
@@ -169,22 +186,22 @@ FUNCTION Mode mode_of_fields(PRIVATE const FaceAxes* f, vec3 k, cvec3 e, cvec3 h
   return m;
 }
 
-// The amplitudes of a pair on the face's own two waves: the nearest unitary change between the two sets of D, which belong to
-// wave vectors a little apart.
+// The amplitudes of a pair on the face's own two waves: the nearest unitary change between the two sets of D (polar
+// decomposition of their overlaps), which belong to wave vectors a little apart.
 FUNCTION void pair_on_face(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE const FaceAxes* f, PRIVATE const Mode* modes) {
   vec3 axis_f = cross3(path->axis, wave_normal(path->k));
   cplx m[2][2];
   for (int i = 0; i < 2; ++i) {
-    cvec3 d = displacement(f, &modes[i]);
+    cvec3 d = unit_complex(displacement(f, &modes[i]));
     for (int j = 0; j < 2; ++j) m[i][j] = inner(d, unit_d(path->axis, axis_f, path->ellipse, j));
   }
-  real length2 = norm2(m[0][0]) + norm2(m[1][0]);
+  cplx turn = unit_phase(csub(cmul(m[0][0], m[1][1]), cmul(m[0][1], m[1][0])));
+  cplx a = cadd(m[0][0], cmul(turn, conj_of(m[1][1]))), b = csub(m[1][0], cmul(turn, conj_of(m[0][1])));
+  real length2 = norm2(a) + norm2(b);
   mask some = length2 > lanes(1e-30f);
   real scale = lanes(1) / sqrt_of(pick(some, length2, lanes(1)));
-  cplx a = cscale(scale, m[0][0]), b = cscale(scale, m[1][0]);
-  a = cpick(some, a, complex_of(lanes(1), lanes(0)));
-  b = cpick(some, b, complex_of(lanes(0), lanes(0)));
-  cplx turn = unit_phase(csub(cmul(m[0][0], m[1][1]), cmul(m[0][1], m[1][0])));
+  a = cpick(some, cscale(scale, a), complex_of(lanes(1), lanes(0)));
+  b = cpick(some, cscale(scale, b), complex_of(lanes(0), lanes(0)));
   for (int r = 0; r < jones_rows(view); ++r) {
     cplx e = path->jones.e[r], g = path->jones.f[r];
     path->jones.e[r] = csub(cmul(a, e), cmul(cmul(turn, conj_of(b)), g));

@@ -1,0 +1,198 @@
+// Plates of crystal before a polarized light, against closed forms: rotation along the axis of quartz, wave plates with all their
+// reflections, walk-off, plates turned over, and crystals that are hardly birefringent.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "tests/kernels/test_scene.hpp"
+#include "tests/kernels/under_test.hpp"
+#include "tests/kernels/vectors.hpp"
+
+using namespace nicol;
+using namespace nicol::test;
+
+namespace {
+
+constexpr double lambda_mm = 580e-6;
+
+OpticFrame frame_along(const Vec3& c, const Vec3& about) {
+  const Vec3 z = unit(c), x = unit(plus(about, scaled(-dot(about, z), z)));
+  return {x, cross(z, x), z};
+}
+
+// A plate across z before a light polarized along `axis`; seen from above along -z with the picture's x to the right.
+struct Bench {
+  TestScene scene;
+  int medium = 0;
+  explicit Bench(double pixel_mm = 0.01) {
+    scene.scene.settings.adc_bailout = 1e-12;
+    scene.scene.camera.orthographic = true;
+    scene.scene.camera.right = {pixel_mm, 0, 0};
+    scene.scene.camera.up = {0, pixel_mm, 0};
+    scene.scene.camera.location = {0, 0, 100};
+  }
+  void light(const Vec3& axis) {
+    const int polarizer = scene.add_polarizer(Polarizer::Kind::ideal, axis, {0, 0, 1});
+    scene.add_sheet({0, 0, -50}, {0, 0, 1}, 40, 40, scene.add_emission(2, polarizer), {});   // 1 passes
+  }
+  void plate(int of, double thickness_mm) { scene.add_box({-30, -30, 0}, {30, 30, thickness_mm}, of); }
+  Light look(const Kernels& kernels, const Vec3& direction = {0, 0, -1}) {
+    Counters counters;
+    const Vec3 x = unit(plus({1, 0, 0}, scaled(-direction.x, direction)));
+    const std::vector<RayCase> rays(kernels.lanes, RayCase{scaled(-60, direction), direction, x});
+    const Light light = kernels.follow_rays(scene.packed(kernels.lanes), rays, 0, counters).front();
+    CHECK(counters.nan + counters.energy + counters.stack == 0);
+    return light;
+  }
+};
+
+double degrees(double rad) { return rad * 180 / pi; }
+double azimuth_deg(const Light& l) { return degrees(std::atan2(l.s2, l.s1) / 2); }
+
+const std::array<double, 3> quartz{1.54425, 1.54425, 1.55336}, calcite{1.65835, 1.65835, 1.48640};
+std::vector<double> gyration_of(double rho_deg_per_mm, double n_o) {
+  const double g33 = radians(rho_deg_per_mm) * n_o * lambda_mm / pi;
+  return {-0.449 * g33, -0.449 * g33, g33, 0, 0, 0};
+}
+
+}  // namespace
+
+TEST_CASE("quartz along its axis turns light clockwise for the receiver by rho d, and nothing else") {
+  for (const Kernels* kernels : all_kernels()) {
+    for (const double rho : {21.724, -21.724}) {
+      CAPTURE(kernels->name);
+      CAPTURE(rho);
+      Bench bench;
+      bench.light({1, 0, 0});
+      bench.plate(bench.scene.add_crystal(quartz, frame_along({0, 0, 1}, {1, 0, 0}), gyration_of(rho, quartz[0])), 3);
+      const Light l = bench.look(*kernels);
+      double turned = azimuth_deg(l) + 3 * rho;   // clockwise: the azimuth falls
+      turned -= 180 * std::rint(turned / 180);
+      CHECK(std::fabs(turned) < (kernels->epsilon > 1e-10 ? 2e-3 : 1e-6));
+      const double r = std::pow((quartz[0] - 1) / (quartz[0] + 1), 2);
+      CHECK(l.s0 == doctest::Approx((1 - r) / (1 + r)).epsilon(kernels->epsilon * 100));
+      CHECK(std::hypot(l.s1, l.s2) == doctest::Approx(l.s0).epsilon(1e-5));   // still linear
+    }
+  }
+}
+
+// Order m passes the plate 2m + 1 times: amplitudes T_j R_j^m exp(i (2m + 1) k0 n_j d) of the two waves, at normal incidence.
+TEST_CASE("a wave plate between polarizers at 45 degrees, all reflections included") {
+  const double n[2] = {quartz[0], quartz[2]};
+  for (const double thickness_mm : {0.0159, 0.032, 0.1}) {
+    Bench bench;
+    bench.light(unit({1, 1, 0}));
+    bench.plate(bench.scene.add_crystal(quartz, frame_along({1, 0, 0}, {0, 1, 0})), thickness_mm);
+    double s[4] = {0, 0, 0, 0};
+    for (int m = 0; m < 40; ++m) {
+      std::complex<double> amplitude[2];
+      for (int j = 0; j < 2; ++j) {
+        const double root = (n[j] - 1) / (n[j] + 1), phase = (2 * m + 1) * 2 * pi * (n[j] - n[0]) * thickness_mm / lambda_mm;
+        // each reflection inside comes with the sign of -root, twice per order
+        amplitude[j] = std::polar((1 - root * root) * std::pow(root * root, m), phase) / std::sqrt(2.0);
+      }
+      const std::complex<double> x = amplitude[1], y = amplitude[0];   // e along x
+      s[0] += std::norm(x) + std::norm(y);
+      s[1] += std::norm(x) - std::norm(y);
+      s[2] += 2 * (std::conj(x) * y).real();
+      s[3] += -2 * (std::conj(x) * y).imag();   // > 0 right circular
+    }
+    for (const Kernels* kernels : all_kernels()) {
+      CAPTURE(kernels->name);
+      CAPTURE(thickness_mm);
+      const Light l = bench.look(*kernels);
+      const double bound = kernels->epsilon > 1e-10 ? 2e-5 : 1e-9;
+      CHECK(std::fabs(l.s0 - s[0]) < bound);
+      CHECK(std::fabs(l.s1 - s[1]) < bound);
+      CHECK(std::fabs(l.s2 - s[2]) < bound);
+      CHECK(std::fabs(l.s3 - s[3]) < bound);
+    }
+  }
+}
+
+// An active biaxial plate turned over about x has Q J^T Q, Q = diag(1, -1): polarizer and analyzer change places. The waves'
+// fields are first order in the gyration: what is left is of order g^2.
+TEST_CASE("a plate turned over: light Qb through it, seen at Qa, is light a, seen at b") {
+  const OpticFrame frame = frame_along({0.3, 0.5, 0.8}, {1, 0.2, 0});
+  OpticFrame turned;
+  for (int i = 0; i < 3; ++i) turned[i] = {frame[i].x, -frame[i].y, -frame[i].z};
+  const std::array<double, 3> n{1.610, 1.613, 1.621};
+  const std::vector<double> g{2e-4, 1e-4, -3e-4, 1e-4, 0, 5e-5};
+  const auto seen = [&](const Kernels& kernels, const OpticFrame& axes, double light_deg, double analyzer_deg) {
+    Bench bench(0.05);
+    bench.light({std::cos(radians(light_deg)), std::sin(radians(light_deg)), 0});
+    bench.plate(bench.scene.add_crystal(n, axes, g), 0.7);
+    const Light l = bench.look(kernels);
+    return (l.s0 + l.s1 * std::cos(2 * radians(analyzer_deg)) + l.s2 * std::sin(2 * radians(analyzer_deg))) / 2;
+  };
+  for (const Kernels* kernels : all_kernels()) {
+    CAPTURE(kernels->name);
+    for (const auto& [a, b] : {std::pair{0.0, 30.0}, {20.0, 110.0}, {75.0, -40.0}}) {
+      const double one = seen(*kernels, frame, a, b), other = seen(*kernels, turned, -b, -a);
+      CHECK(std::fabs(one - other) < (kernels->epsilon > 1e-10 ? 1e-4 : 3e-7));
+    }
+  }
+}
+
+TEST_CASE("a crystal that is hardly birefringent is like glass, with and without coherence") {
+  for (const Kernels* kernels : all_kernels()) {
+    Bench glass;
+    glass.light(unit({1, 0.4, 0}));
+    glass.plate(glass.scene.add_medium(1.6), 2);
+    const Vec3 direction = unit({0.3, -0.2, -1});
+    const Light expected = glass.look(*kernels, direction);
+    double last = 1;
+    for (const double change : {1e-2, 1e-4, 1e-6, 1e-8, 0.0}) {
+      for (const bool biaxial : {false, true}) {
+        CAPTURE(kernels->name);
+        CAPTURE(change);
+        CAPTURE(biaxial);
+        Bench bench;
+        bench.light(unit({1, 0.4, 0}));
+        const std::array<double, 3> n{1.6, biaxial ? 1.6 + change / 3 : 1.6, 1.6 + change};
+        const int crystal = bench.scene.add_crystal(n, frame_along({0.3, 0.5, 0.8}, {1, 0, 0}));
+        bench.scene.scene.media[crystal].symmetry = biaxial ? Medium::Symmetry::biaxial : Medium::Symmetry::uniaxial;
+        bench.plate(crystal, 2);
+        const Light l = bench.look(*kernels, direction);
+        CHECK(std::fabs(l.s0 - expected.s0) < 2 * change + 100 * kernels->epsilon);
+        const double off = std::hypot(l.s1 - expected.s1, l.s2 - expected.s2, l.s3 - expected.s3);
+        // retardance 2 pi change d/lambda
+        CHECK(off < 4e4 * change + 300 * kernels->epsilon);
+        last = off;
+      }
+    }
+    CHECK(last < 300 * kernels->epsilon);
+  }
+}
+
+// The extraordinary ray of calcite cut at 45 degrees is displaced by d tan(walk-off): a knife edge behind the plate.
+TEST_CASE("walk-off of calcite at 45 degrees: where the two images of an edge lie") {
+  const double no2 = calcite[0] * calcite[0], ne2 = calcite[2] * calcite[2];
+  const double walk_off = std::atan((no2 - ne2) / (ne2 + no2));
+  CHECK(degrees(walk_off) == doctest::Approx(6.2323695).epsilon(1e-6));
+  for (const Kernels* kernels : all_kernels()) {
+    CAPTURE(kernels->name);
+    TestScene scene;
+    scene.scene.settings.adc_bailout = 1e-6;
+    scene.add_box({-30, -30, 0}, {30, 30, 10}, scene.add_crystal(calcite, frame_along({1, 0, 1}, {0, 1, 0})));
+    scene.add_sheet({-20, 0, -1e-3}, {0, 0, 1}, 20, 40, scene.add_emission(1), {});   // bright where x < 0
+    const double shift = 10 * std::tan(walk_off);
+    // light comes up from the sheet: the ray of the e wave leans away from the wave normal towards the axis where n_e < n_o... away from it
+    std::vector<RayCase> rays;
+    for (const double x : {-1e-3 * shift, 1e-3 * shift, 0.999 * shift, 1.001 * shift, -0.999 * shift, -1.001 * shift})
+      for (int lane = 0; lane < kernels->lanes; ++lane) rays.push_back({{x, 0, 50}, {0, 0, -1}, {1, 0, 0}});
+    Counters counters;
+    const auto lights = kernels->follow_rays(scene.packed(kernels->lanes), rays, 0, counters);
+    std::array<Light, 6> at;
+    for (int i = 0; i < 6; ++i) at[i] = lights[i * kernels->lanes];
+    // the axis leans to +x going up; calcite is negative: the e ray leans further from it, to -x seen going up
+    CHECK(at[0].s0 > 0.4);           // o wave before the edge, e wave not
+    CHECK(at[0].s0 < 0.5);
+    CHECK(at[1].s0 < 0.1);
+    CHECK(at[4].s0 < 0.5);
+    CHECK(at[5].s0 > 0.8);
+    CHECK(std::fabs(at[4].s1) == doctest::Approx(at[4].s0).epsilon(0.05));
+  }
+}
