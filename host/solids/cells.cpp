@@ -89,28 +89,36 @@ bool subtract(const ConvexCell& a, const ConvexCell& b, Cells& rest) {
   return true;
 }
 
-// The two cells as one, if they share a face and all together is convex: every other plane of either
-// has the other cell inside. Then the solid inside all of those planes, cut along the shared face,
-// is just the two cells.
+// Every plane of `body` but that of `shared` has `other` inside.
+bool holds_behind(const Polyhedron& body, const Polyhedron::Face& shared, const Polyhedron& other) {
+  for (const Polyhedron::Face& face : body.faces) {
+    if (&face == &shared) continue;
+    for (const ExactPoint& corner : other.corners) {
+      if (side(face.plane, corner) > 0) return false;
+    }
+  }
+  return true;
+}
+
+// The two cells as one, if they share a face and every other plane of either has the other cell
+// inside: the solid inside all of those planes, cut along the shared one, is just the two cells.
 std::optional<Polyhedron> convex_union(const Polyhedron& a, const Polyhedron& b) {
   for (const Polyhedron::Face& f : a.faces) {
     for (const Polyhedron::Face& g : b.faces) {
       if (!opposite(f.plane, g.plane)) continue;
+      if (!holds_behind(a, f, b) || !holds_behind(b, g, a)) return std::nullopt;
       std::vector<ExactPlane> planes;
       std::vector<int> tags;
-      for (const auto& [own, other, shared] : {std::tie(a, b, f), std::tie(b, a, g)}) {
-        for (const Polyhedron::Face& face : own.faces) {
+      for (const auto& [body, shared] : {std::tie(a, f), std::tie(b, g)}) {
+        for (const Polyhedron::Face& face : body.faces) {
           if (&face == &shared) continue;
-          for (const ExactPoint& corner : other.corners) {
-            if (side(face.plane, corner) > 0) return std::nullopt;
-          }
           planes.push_back(face.plane);
           tags.push_back(face.tag);
         }
       }
-      Polyhedron body = enclose(planes).body;
-      for (Polyhedron::Face& face : body.faces) face.tag = tags[face.tag];
-      return body;
+      Polyhedron whole = enclose(planes).body;
+      for (Polyhedron::Face& face : whole.faces) face.tag = tags[face.tag];
+      return whole;
     }
   }
   return std::nullopt;
@@ -180,20 +188,19 @@ Cells common(const Cells& a, const Cells& b) {
   return out;
 }
 
-Cells minus(const Cells& a, const Cells& b) {
-  Cells left = a;
+Cells minus(Cells a, const Cells& b) {
   for (const ConvexCell& cutter : b) {
     Cells kept, cut;
-    for (ConvexCell& cell : left) {
+    for (ConvexCell& cell : a) {
       if (!subtract(cell, cutter, cut)) kept.push_back(std::move(cell));
     }
     const std::size_t first_new = kept.size();
     std::move(cut.begin(), cut.end(), std::back_inserter(kept));
     if (kept.size() > most_cells) throw TooManyCells{};
     merge_convex(kept, first_new);
-    left = std::move(kept);
+    a = std::move(kept);
   }
-  return left;
+  return a;
 }
 
 // Either way round gives the union; where it is cheap to try both, the fewer cells win.

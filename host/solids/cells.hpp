@@ -23,7 +23,7 @@ bool disjoint(const Bounds& a, const Bounds& b);
 
 // What lies in both; in a but not in b; in either.
 Cells common(const Cells& a, const Cells& b);
-Cells minus(const Cells& a, const Cells& b);
+Cells minus(Cells a, const Cells& b);
 Cells joined(const Cells& a, const Cells& b);
 
 // Says of each face of the cells of one solid how much of it the other cells touch. Faces wholly

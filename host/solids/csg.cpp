@@ -30,10 +30,10 @@ Region complement(Region region) {
   return region;
 }
 
-Region intersected(const Region& a, const Region& b) {
+Region intersected(Region a, Region b) {
   if (!a.inverse && !b.inverse) return {common(a.cells, b.cells), false};
-  if (!a.inverse) return {minus(a.cells, b.cells), false};
-  if (!b.inverse) return {minus(b.cells, a.cells), false};
+  if (!a.inverse) return {minus(std::move(a.cells), b.cells), false};
+  if (!b.inverse) return {minus(std::move(b.cells), a.cells), false};
   return {joined(a.cells, b.cells), true};
 }
 
@@ -134,7 +134,7 @@ class Evaluator {
         continue;
       }
       const bool was_empty = is_empty(*sum) || is_empty(next);
-      *sum = combined(node.operation, *sum, next);
+      *sum = combined(node.operation, std::move(*sum), std::move(next));
       if (!is_empty(*sum) || was_empty) continue;
       emptied_ = name_of(node) + " encloses nothing: " + name_of(operand) +
                  " leaves nothing of what comes before it";
@@ -143,10 +143,12 @@ class Evaluator {
     return std::move(*sum);
   }
 
-  static Region combined(Operation operation, const Region& a, const Region& b) {
-    if (operation == Operation::intersection) return intersected(a, b);
-    if (operation == Operation::difference) return intersected(a, complement(b));
-    return complement(intersected(complement(a), complement(b)));
+  static Region combined(Operation operation, Region a, Region b) {
+    if (operation != Operation::intersection) b = complement(std::move(b));
+    if (operation == Operation::merge) a = complement(std::move(a));
+    Region both = intersected(std::move(a), std::move(b));
+    both.inverse ^= operation == Operation::merge;
+    return both;
   }
 
   [[noreturn]] void tell_open(const Node& root, const std::string& towards) {

@@ -96,6 +96,12 @@ class NearContacts {
   void tell(sdl::Diagnostics& diagnostics) const {
     for (const auto& [objects, gap] : gaps_) {
       const Object &first = scene_.objects[objects.first], &second = scene_.objects[objects.second];
+      if (objects.first == objects.second) {
+        diagnostics.warning(first.where, name_of(first) + " has faces within " + text_of(gap) +
+                                             " mm of each other that do not coincide: where they "
+                                             "should, write the same numbers and transforms");
+        continue;
+      }
       diagnostics.warning(second.where,
                           name_of(first) + " and " + name_of(second) + " come within " +
                               text_of(gap) +
@@ -174,8 +180,15 @@ void warn_of_near_contacts(const Scene& scene, const Parts& parts, const Nesting
                            double near_mm, const Geometry& geometry,
                            sdl::Diagnostics& diagnostics) {
   NearContacts near(scene, parts, near_mm, geometry);
+  // Of one solid, only CSG brings faces together that were written apart.
+  const auto from_csg = [&](int part) {
+    return std::holds_alternative<CsgShape>(scene.objects[parts.solids[part].object].shape);
+  };
   for (const auto& [a, b] : nesting.neighbours) {
-    if (parts.solids[a].object != parts.solids[b].object) near.solids(a, b);
+    if (parts.solids[a].object != parts.solids[b].object || from_csg(a)) near.solids(a, b);
+  }
+  for (int a = 0; a < size_of(parts.solids); ++a) {
+    if (from_csg(a)) near.solids(a, a);
   }
   const int solid_count = size_of(parts.solids);
   std::vector<Bounds> boxes;

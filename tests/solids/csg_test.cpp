@@ -185,6 +185,14 @@ TEST_CASE("empty, open and unsound trees are errors that name both places") {
   CHECK(built_csg(merged({})).says("holds no solid"));
 }
 
+TEST_CASE("faces that should coincide but were rounded apart are told of") {
+  const double x = std::nextafter(2.0, 3.0);
+  CHECK(built_csg(merged({cube, csg_box({x, 0, 0}, {4, 2, 2})})).says("mm of each other"));  // a slit
+  CHECK(built_csg(merged({cube, csg_box({0, 0, 0}, {x, 1, 1})})).says("4.44e-16 mm of each other"));
+  CHECK(built_csg(differing({csg_box({0, 0, 0}, {x, 2, 2}), cube})).says("do not coincide"));
+  CHECK_FALSE(built_csg(merged({cube, csg_box({2.001, 0, 0}, {4, 2, 2})})).says("of each other"));
+}
+
 TEST_CASE("more cells than there may be are an error") {
   std::vector<CsgNode> operands{csg_box({0, 0, 0}, {200, 200, 1})};
   for (int i = 0; i < 60; ++i) {
