@@ -40,7 +40,7 @@ struct RawCrystal {
   std::vector<RawFace> faces;
   std::optional<RawTwin> twin;
   double size = 1;
-  Location cell_where, system_where, point_group_where, cdl_where, hand_where;
+  Location cell_where, system_where, point_group_where, cdl_where, hand_where, size_where;
 
   bool has_lattice() const;
 };
@@ -64,6 +64,14 @@ struct RawGem {
 void add_crystal_rules(Context& context, RawObject& raw, Schema& schema);
 Schema cell_schema(Context& context, const char* name, std::vector<double>& numbers);
 Schema twin_schema(Context& context, RawTwin& raw);
+
+// ---- crystal_lattice.cpp ----
+// nullopt, and told, if what the words say does not exist or does not go together.
+std::optional<crystallography::PointGroup> group_of(Context& context, const RawCrystal& raw,
+                                                    Location where);
+std::optional<crystallography::Lattice> lattice_of(Context& context, const RawCrystal& raw,
+                                                   const crystallography::PointGroup& group,
+                                                   Location where);
 
 // ---- crystal.cpp ----
 // Fills facets, axes, individuals and crystal_frame of a crystal that has a lattice.

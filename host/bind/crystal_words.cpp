@@ -121,6 +121,7 @@ void add_habit_rules(Context* c, RawCrystal* r, Schema& schema) {
   rules.push_back({"size", "n",
                    [=](const Args& a) {
                      if (is_positive(*c, a.where, "the size", a.numbers[0])) r->size = a.numbers[0];
+                     r->size_where = a.where;
                    },
                    "distance from the centre of a face with distance 1 (1)"});
   const auto hand = [=](bool* which) {

@@ -2,7 +2,7 @@
 // medium, its polarizer and its light.
 #include <algorithm>
 
-#include "host/bind/parts.hpp"
+#include "host/bind/crystal.hpp"
 #include "host/bind/units.hpp"
 #include "host/vec.hpp"
 
@@ -205,6 +205,22 @@ void add_convex(Context& context, const Chain* chain, Object& object) {
   context.scene.objects.push_back(std::move(object));
 }
 
+// What stands out of the individual that it grew through.
+CsgShape protruding(const RawIndividual& individual, Location where) {
+  CsgShape shape;
+  shape.root.operation = CsgShape::Operation::difference;
+  for (const auto& faces : {individual.faces, individual.without}) {
+    CsgShape::Node leaf;
+    leaf.leaf = ConvexShape{faces};
+    leaf.kind = "crystal";
+    leaf.where = where;
+    shape.root.operands.push_back(std::move(leaf));
+  }
+  shape.root.kind = "crystal";
+  shape.root.where = where;
+  return shape;
+}
+
 // Individuals are crystals of their own, in optical contact.
 void add_twin(Context& context, const Chain* chain, const Object& object) {
   for (const RawIndividual& individual : chain->raw->individuals) {
@@ -215,7 +231,14 @@ void add_twin(Context& context, const Chain* chain, const Object& object) {
     const Chain link{&alone, chain->outer};
     Object part = object;
     part.optical_contact = true;
-    add_convex(context, &link, part);
+    if (individual.without.empty()) {
+      add_convex(context, &link, part);
+      continue;
+    }
+    if (!check_closed(context, alone)) continue;
+    fill_solid(context, &link, false, part);
+    part.shape = protruding(individual, object.where);
+    context.scene.objects.push_back(std::move(part));
   }
 }
 

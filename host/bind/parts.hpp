@@ -169,10 +169,10 @@ std::optional<int> bind_medium(Context& context, const sdl::Block& interior,
 void bind_surroundings(Context& context, const sdl::Block& block);
 
 // ---- object_words.cpp: what a block of an object says, before it means anything ----
-struct RawCrystal;       // crystal.hpp
-struct RawGem;           // crystal.hpp
+struct RawCrystal;      // crystal.hpp
+struct RawGem;          // crystal.hpp
 struct RawIndividual {  // of a twin
-  std::vector<HalfSpace> faces;
+  std::vector<HalfSpace> faces, without;  // without: what another individual fills
   CrystalFrame frame;
 };
 struct RawObject {

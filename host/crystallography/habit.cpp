@@ -86,6 +86,23 @@ std::vector<HalfSpace> twinned(const Habit& habit, const std::vector<HalfSpace>&
   return faces;
 }
 
+// What is true of every other individual.
+void turn(const TwinOperation& op, Individual& one) {
+  for (int row = 0; row < 3; ++row)
+    one.turn.m[row] = {op.rotation[row].x, op.rotation[row].y, op.rotation[row].z};
+  one.opposite_hand = op.mirrors;
+}
+
+// Slab i between its contact planes, of which the first has no lower and the last no upper one.
+void bound_slab(const Composition& twin, const Contact& contact, double size, int i,
+                Individual& one) {
+  const auto offset = [&](int plane) {
+    return (twin.offset + (plane - twin.individuals / 2.0) * twin.thickness) * size * contact.unit;
+  };
+  if (i + 1 < twin.individuals) one.faces.push_back({contact.normal, offset(i + 1)});
+  if (i > 0) one.faces.push_back({-contact.normal, -offset(i)});
+}
+
 }  // namespace
 
 Affine basis(const Lattice& lattice) {
@@ -102,32 +119,27 @@ std::vector<Individual> individuals(const Habit& habit) {
   std::vector<HalfSpace> cuts;
   for (const HalfSpace& cut : habit.cuts)
     cuts.push_back({indices(habit.lattice, cut.normal), cut.offset});
+  const auto cut = [&cuts](Individual& one) {
+    one.faces.insert(one.faces.end(), cuts.begin(), cuts.end());
+  };
   if (!habit.twin) {
-    Individual single{first, {}, false};
-    single.faces.insert(single.faces.end(), cuts.begin(), cuts.end());
+    Individual single;
+    single.faces = first;
+    cut(single);
     return {single};
   }
   const Composition& twin = *habit.twin;
   const Contact contact = contact_plane(habit, twin.law);
   const TwinOperation op = twin_operation(habit.lattice, twin.law);
   const std::vector<HalfSpace> second = twinned(habit, first, contact);
-  std::vector<Individual> all(static_cast<std::size_t>(twin.individuals));
-  for (int i = 0; i < twin.individuals; ++i) {
+  std::vector<Individual> all(twin.law.penetration ? 2 : static_cast<std::size_t>(twin.individuals));
+  for (std::size_t i = 0; i < all.size(); ++i) {
     Individual& one = all[i];
     one.faces = i % 2 ? second : first;
-    if (i % 2) {
-      for (int row = 0; row < 3; ++row)
-        one.turn.m[row] = {op.rotation[row].x, op.rotation[row].y, op.rotation[row].z};
-      one.opposite_hand = op.mirrors;
-    }
-    // Contact planes below and above this slab.
-    const auto offset = [&](int plane) {
-      return (twin.offset + (plane - twin.individuals / 2.0) * twin.thickness) * habit.size *
-             contact.unit;
-    };
-    if (i + 1 < twin.individuals) one.faces.push_back({contact.normal, offset(i + 1)});
-    if (i > 0) one.faces.push_back({-contact.normal, -offset(i)});
-    one.faces.insert(one.faces.end(), cuts.begin(), cuts.end());
+    if (i % 2) turn(op, one);
+    if (!twin.law.penetration) bound_slab(twin, contact, habit.size, static_cast<int>(i), one);
+    else if (i == 1) one.without = first;
+    cut(one);
   }
   return all;
 }

@@ -33,9 +33,10 @@ struct Habit {
 
 // One individual: its half-spaces in the lattice coordinates of the first, the proper rotation of its
 // Cartesian crystal axes (row vectors), and whether it is of the opposite hand. Individuals
-// that touch share their contact plane to the last bit.
+// that touch share their contact plane to the last bit. In a penetration twin the second is what
+// stands out of the first: its faces without the inside of `without`.
 struct Individual {
-  std::vector<HalfSpace> faces;
+  std::vector<HalfSpace> faces, without;
   Affine turn;
   bool opposite_hand = false;
 };
@@ -43,7 +44,7 @@ struct Individual {
 Affine basis(const Lattice& lattice);
 
 // Without the part of an individual that its contact planes cut away there may be nothing left; that
-// is for the builder of solids to find. No penetration twins.
+// is for the builder of solids to find.
 std::vector<Individual> individuals(const Habit& habit);
 
 }  // namespace nicol::crystallography
