@@ -26,7 +26,8 @@ class Packer {
     origin_ = scene_origin();
   }
 
-  PackedScene run(std::uint32_t features, int width, int height) {
+  PackedScene run(std::uint32_t features, int width, int height, int pixels_across) {
+    shrink_ = pixels_across > 0 ? static_cast<double>(width) / pixels_across : 1;
     out_.ints.assign(HEADER_SIZE, 0);
     out_.features = features;
     out_.width = width;
@@ -94,7 +95,7 @@ class Packer {
     add(camera.direction);
     add(camera.right);
     add(camera.up);
-    const double pixel = std::sqrt(length(camera.right) / out_.width * length(camera.up) / out_.height);
+    const double pixel = shrink_ * std::sqrt(length(camera.right) / out_.width * length(camera.up) / out_.height);
     const double per_mm = camera.orthographic ? 0 : pixel / length(camera.direction);
     out_.reals.insert(out_.reals.end(), {camera.orthographic ? pixel : 0, per_mm});
     header(HEADER_CONICAL_RAYS) = scene_.settings.conical_rays;
@@ -305,6 +306,7 @@ class Packer {
   const Geometry& geometry_;
   Channels channels_;
   PackedScene out_;
+  double shrink_ = 1;  // of a pixel, against the picture's edge over `width`
   Vec3 origin_;
   std::vector<Plane> edges_;
   std::vector<int> new_patch_;
@@ -313,8 +315,9 @@ class Packer {
 
 }  // namespace
 
-PackedScene pack(const Scene& scene, const Geometry& geometry, std::uint32_t features, int width, int height, int lanes) {
-  return Packer(scene, geometry, lanes).run(features, width, height);
+PackedScene pack(const Scene& scene, const Geometry& geometry, std::uint32_t features, int width, int height, int lanes,
+                 int pixels_across) {
+  return Packer(scene, geometry, lanes).run(features, width, height, pixels_across);
 }
 
 }  // namespace nicol

@@ -23,7 +23,8 @@ struct PackedScene {
   std::vector<double> mixing;
 };
 
+// `pixels_across`: of the picture whose pixels these are (0: `width`); their size decides what adds as amplitudes.
 PackedScene pack(const Scene& scene, const Geometry& geometry, std::uint32_t features, int width, int height,
-                 int lanes);
+                 int lanes, int pixels_across = 0);
 
 }  // namespace nicol

@@ -15,6 +15,9 @@
 namespace nicol::app {
 namespace {
 
+// Places are seen with the pixels of a picture of the usual size.
+constexpr int pixels_across = 512;
+
 constexpr double rad_per_deg = 3.14159265358979323846 / 180;
 
 // What stops a number from being measured, told with the expectation.
@@ -72,7 +75,8 @@ class Bench {
   const Frame& frame_at(const std::array<double, 2>& place) {
     const auto known = frames_.find(place);
     if (known != frames_.end()) return known->second;
-    const PackedScene packed = pack(scene_, geometry_, features_, 1, 1, lanes_on(device_, kernel_));
+    const PackedScene packed =
+        pack(scene_, geometry_, features_, 1, 1, lanes_on(device_, kernel_), pixels_across);
     RenderOptions options;
     options.kernel = kernel_;
     options.positions = {place};
