@@ -49,6 +49,8 @@ struct ExplainCommand {
   SceneOptions options;
   DeviceOptions device;
   bool no_build = false;
+  bool media = false;        // a table of media instead, of a scene or of a library of them
+  double lambda_nm = 589.3;  // for the table
 };
 
 struct CheckCommand {

@@ -4,6 +4,7 @@
 
 #include "host/app/commands.hpp"
 #include "host/app/loaded_scene.hpp"
+#include "host/app/media_table.hpp"
 
 namespace nicol::app {
 namespace {
@@ -38,6 +39,8 @@ void print_kernel(const ExplainCommand& command, std::uint32_t mask) {
 }  // namespace
 
 int explain_command(const ExplainCommand& command) {
+  if (command.media) return print_media(command);
+  if (command.scene.empty()) throw UsageError("`nicol explain` takes a scene, or --media");
   const auto loaded = load_scene(command.scene, command.options);
   if (!loaded) return exit_error;
   print_geometry(*loaded);

@@ -50,6 +50,22 @@ std::vector<std::string> standard_libraries() {
   return folders;
 }
 
+BindOptions bind_options(const std::string& path, const SceneOptions& options) {
+  BindOptions result;
+  result.library_paths = parse_options(options).library_paths;
+  result.width = options.width;
+  result.height = options.height;
+  result.path = path;
+  if (!options.wavelengths.empty()) result.lambda_nm = parse_wavelengths(options.wavelengths);
+  result.max_trace_level = options.max_trace_level;
+  result.adc_bailout = options.adc_bailout;
+  result.samples = options.samples;
+  if (!options.polarization.empty()) result.polarization = options.polarization == "on";
+  return result;
+}
+
+}  // namespace
+
 sdl::Options parse_options(const SceneOptions& options) {
   sdl::Options result;
   result.library_paths = options.library_paths;
@@ -67,20 +83,6 @@ sdl::Options parse_options(const SceneOptions& options) {
   return result;
 }
 
-BindOptions bind_options(const std::string& path, const SceneOptions& options) {
-  BindOptions result;
-  result.library_paths = parse_options(options).library_paths;
-  result.width = options.width;
-  result.height = options.height;
-  result.path = path;
-  if (!options.wavelengths.empty()) result.lambda_nm = parse_wavelengths(options.wavelengths);
-  result.max_trace_level = options.max_trace_level;
-  result.adc_bailout = options.adc_bailout;
-  result.samples = options.samples;
-  if (!options.polarization.empty()) result.polarization = options.polarization == "on";
-  return result;
-}
-
 void drop_expectations(sdl::Document& document) {
   const auto expects = [](const sdl::Item& item) {
     return item.block() && item.block()->name == "expect";
@@ -88,8 +90,6 @@ void drop_expectations(sdl::Document& document) {
   auto& items = document.items;
   items.erase(std::remove_if(items.begin(), items.end(), expects), items.end());
 }
-
-}  // namespace
 
 std::vector<double> parse_wavelengths(const std::string& text) {
   if (text.find(':') == std::string::npos) {

@@ -29,6 +29,10 @@ enum class Expectations { where_they_apply, always };
 std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options,
                                         Expectations expectations = Expectations::where_they_apply);
 
+// Where include files lie, what is declared, the size of the picture.
+sdl::Options parse_options(const SceneOptions& options);
+void drop_expectations(sdl::Document& document);
+
 KernelOptions kernel_options(const DeviceOptions& options);
 
 // Opens the device that is asked for, and checks that it can do what is asked.

@@ -79,7 +79,12 @@ void add_render(CLI::App& app, RenderCommand& command, Verb& chosen) {
 
 void add_explain(CLI::App& app, ExplainCommand& command, Verb& chosen) {
   CLI::App* verb = app.add_subcommand("explain", "Tell which effects a scene calls for, and why");
-  verb->add_option("scene", command.scene, "The scene")->required();
+  verb->add_option("scene", command.scene, "The scene");
+  verb->add_flag("--media", command.media,
+                 "A table of the media of a scene or an include file (default: minerals.inc)");
+  verb->add_option("--lambda", command.lambda_nm, "Wavelength of that table in nm")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   add_scene_options(*verb, command.options);
   add_device_options(*verb, command.device, {"float", "double"});
   verb->add_flag("--no-build", command.no_build, "Do not build the kernel");

@@ -280,6 +280,30 @@ class CommandLine(unittest.TestCase):
             self.nicol("expect", SCENE, "--wavelengths", "450,650"), "550 nm is not among"
         )
 
+    def test_explain_media(self):
+        result = self.nicol("explain", "--media")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = {row.split()[0]: row for row in result.stdout.splitlines()}
+        self.assertIn("uniaxial +, active", rows["M_Quartz_Right"])
+        self.assertIn("21.7", rows["M_Quartz_Right"])
+        self.assertIn("biaxial -", rows["M_Aragonite"])
+        columns = {row.index("iaxial") for row in rows.values() if "iaxial" in row}
+        self.assertLessEqual(len(columns), 2, "columns are not aligned")  # uniaxial and biaxial
+
+    def test_explain_media_of_a_scene(self):
+        scene = self.scene(
+            "background { rgb 1 } #declare M = interior { ordinary { constant 1.5 }"
+            ' extraordinary { constant 1.6 } name "crystal" }\n'
+            "box { 0, 1 interior { M } } box { 2, 3 interior { M } rotate 90*x }"
+        )
+        result = self.nicol("explain", "--media", scene, "--lambda", 500)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("n at 500 nm", result.stdout)
+        self.assertEqual(result.stdout.count("crystal"), 1)
+        self.assertIn("1.5000 1.6000", result.stdout)
+        self.assert_refused(self.nicol("explain", "--media", "missing.inc"), "missing.inc")
+        self.assert_refused(self.nicol("explain"), "takes a scene")
+
     def test_explain(self):
         result = self.nicol("explain", SCENE, "--no-build")
         self.assertEqual(result.returncode, 0, result.stderr)
