@@ -35,7 +35,8 @@ FUNCTION void solve_four(cplx m[4][6], int count, cplx amplitude[2][4]) {
   cplx inverse[4];
   for (int c = 0; c < 4; ++c) {
     bring_pivot(m, c, 4 + count);
-    inverse[c] = cdiv(complex_of(lanes(1), lanes(0)), m[c][c]);
+    real size = norm2(m[c][c]);
+    inverse[c] = cscale(pick(size > lanes(0), lanes(1) / pick(size > lanes(0), size, lanes(1)), lanes(0)), conj_of(m[c][c]));
     for (int r = c + 1; r < 4; ++r) {
       cplx factor = cmul(m[r][c], inverse[c]);
       for (int k = c + 1; k < 4 + count; ++k) m[r][k] = csub(m[r][k], cmul(factor, m[c][k]));
@@ -116,7 +117,8 @@ FUNCTION FaceAmplitudes share_powers(PRIVATE const Mode* incident, int count, PR
     real flux_t = pick(any_t, clamp_below(flux_of_pair(transmitted, a[from][0], a[from][1])), lanes(0));
     real flux_r = clamp_below(-flux_of_pair(reflected, a[from][2], a[from][3]));
     real all = flux_t + flux_r, inverse = lanes(1) / pick(all > lanes(0), all, lanes(1));
-    f.off[i] = all / flux_of(incident[from].e, incident[from].h) - lanes(1);
+    real given = flux_of(incident[from].e, incident[from].h);
+    f.off[i] = all / pick(given != lanes(0), given, lanes(1)) - lanes(1);
     scale_to_share(flux_t * inverse, own_t, a[from][0], a[from][1], f.t[i]);
     scale_to_share(flux_r * inverse, own_r, a[from][2], a[from][3], f.r[i]);
   }

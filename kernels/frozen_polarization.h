@@ -57,7 +57,8 @@ typedef struct {
 
 FUNCTION SheetRoot sheet_root(PRIVATE const GeneralFace* f, real sign, mask live) {
   SheetRoot root;
-  root.p = sqrt_of(pick(f->p2 > lanes(0), f->p2, lanes(0)));
+  // lanes that are not live get a root that makes no face singular
+  root.p = pick(live, sqrt_of(pick(f->p2 > lanes(0), f->p2, lanes(0))), f->n);
   root.step = lanes(0);
   root.gone = root.p != root.p;
   mask moving = live;

@@ -31,8 +31,7 @@ FUNCTION void transparent_waves(GLOBAL const scalar* medium, vec3 s, PRIVATE Bul
   for (int j = 0; j < 2; ++j) {
     w[j].n = complex_of(section.n[j], lanes(0));
     fields_of_wave(&m, scale3(section.n[j], s), section.d_re[j], section.d_im[j], &w[j].e, &w[j].h);
-    w[j].d.re = section.d_re[j];
-    w[j].d.im = section.d_im[j];
+    w[j].d = scale_complex3(-section.n[j], cross_complex(s, &w[j].h));
   }
   *gap = complex_of(section.gap, lanes(0));
 }

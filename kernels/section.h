@@ -11,7 +11,8 @@
 #define NICOL_SECTION_H
 #include "wave_medium.h"
 
-// D orthonormal (where active but for terms of order zeta), complex, world; 0 fast, ordinary or right circular.
+// D orthonormal, complex, world; 0 fast, ordinary or right circular. Where active: -k x (k x E), which is D but for terms of
+// order zeta, and orthogonal but for such terms.
 typedef struct {
   vec3 d_re[2], d_im[2];
   real n[2];
@@ -147,6 +148,26 @@ FUNCTION void fields_of_wave(PRIVATE const WaveMedium* m, vec3 k, vec3 d_re, vec
     h->re = sub3(h->re, times_symmetric(m->zeta, e->im));
     h->im = add3(h->im, times_symmetric(m->zeta, e->re));
   }
+}
+
+// m.eps - |k|^2 of the wave with real wave vector k and unit D, without subtracting squares: |k|^2 lambda, lambda = D*.Lam.D.
+// With p1 = k.N: m.eps - q^2 = p1^2 + this.
+FUNCTION real bracket_of_wave(PRIVATE const WaveMedium* m, vec3 k, vec3 d_re, vec3 d_im) {
+  if (m->kind == WAVES_ISOTROPIC) return lanes(0);
+  real k2 = dot3(k, k);
+  if (m->kind == WAVES_UNIAXIAL) {
+    real re = dot3(m->axis, d_re), im = dot3(m->axis, d_im);
+    return k2 * m->eps * m->d_eta * (re * re + im * im);
+  }
+  real turning = lanes(2) * dot3(cross3(d_re, d_im), k);  // |k| by the handedness: +1 left, -1 right circular
+  if (m->kind == WAVES_CHIRAL) {
+    real kappa = pick(turning > lanes(0), m->kappa, -m->kappa);
+    return -kappa * (lanes(2) * m->n + kappa);
+  }
+  real lambda = dot3(d_re, times_symmetric(m->atil, d_re)) + dot3(d_im, times_symmetric(m->atil, d_im));
+  real bracket = k2 * lambda;
+  if (m->active) bracket -= turning * dot3(k, times_symmetric(m->gq, k));
+  return bracket;
 }
 
 // Direction of the energy flux Re(E x h*), unit.

@@ -44,6 +44,25 @@ struct StateAnswer {
   double amplitude;
 };
 
+// The bulk wave `wave` (0, 1) of medium 1 with wave normal s on a face; media as kernels/probe_abi.h has them.
+struct WaveCase {
+  std::vector<double> one, two;
+  Vec3 normal, s;  // normal from 1 to 2; s rounded to the scalar and made unit
+  int wave;
+};
+struct WaveAnswer {
+  double index, cos_ray, off;          // of the incident wave; of its ray to the normal; R + T - 1 as solved
+  std::array<double, 4> power;         // reflected 0, 1, transmitted 0, 1
+  std::array<Complex, 4> amplitude;    // per root of flux
+  std::array<Complex, 4> p;
+  std::array<Vec3, 4> k;               // real part, world
+  std::array<std::array<Complex, 3>, 4> d;  // unit D = -k x h of running waves, world
+  std::array<Complex, 3> incident_d;
+  std::array<Complex, 3> e_t;          // summed field, world, for incident E of unit length
+  std::array<double, 2> gap;           // reflected, transmitted
+  int fallbacks;                       // in all lanes of the vector
+};
+
 struct RayCase {
   Vec3 position, direction, axis;  // world mm, for scenes whose camera stands at the origin
 };
@@ -62,6 +81,8 @@ struct Kernels {
   double (*round)(double);
   std::vector<FresnelAnswer> (*fresnel)(const std::vector<FresnelCase>&);
   std::vector<ActiveAnswer> (*active_face)(const std::vector<ActiveCase>&);
+  // Media of eight neighbours from the start are of the same two classes.
+  std::vector<WaveAnswer> (*waves)(const std::vector<WaveCase>&);
   std::vector<Complex> (*rotation)(const std::vector<TurnCase>&);  // cosine + i sine
   std::vector<StateAnswer> (*passing_states)(const PackedScene&, const std::vector<StateCase>&);
   std::vector<double> (*solve)(const std::vector<double>& problem);  // of probe_abi.h; one lane only, else null
