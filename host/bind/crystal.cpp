@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "host/bind/units.hpp"
 #include "host/crystallography/bounded.hpp"
 #include "host/crystallography/cdl.hpp"
 #include "host/vec.hpp"
@@ -30,7 +31,8 @@ void read_cdl(Context& context, RawCrystal& raw) {
   raw.system = name(cdl.system);
   raw.point_group = cdl.point_group;
   raw.system_where = raw.point_group_where = raw.cdl_where;
-  for (const CdlForm& f : cdl.forms) raw.forms.push_back({f.face, f.distance, false, raw.cdl_where});
+  for (const CdlForm& f : cdl.forms)
+    raw.forms.push_back({f.face, f.distance, false, false, raw.cdl_where});
   if (cdl.twin) {
     if (raw.twin) context.error(raw.twin->where, "'cdl' names a twin already");
     raw.twin.emplace();
@@ -78,12 +80,28 @@ std::optional<Composition> composition_of(Context& context, const RawTwin& raw) 
   return twin;
 }
 
+// Four indices (h k i l) are those of hexagonal axes.
+bool has_hexagonal_axes(const RawCrystal& raw, const PointGroup& group) {
+  return !raw.rhombohedral &&
+         (group.system == System::trigonal || group.system == System::hexagonal);
+}
+
+void check_four_indices(Context& context, const RawCrystal& raw, const PointGroup& group) {
+  if (has_hexagonal_axes(raw, group)) return;
+  const auto refuse = [&](bool four, Location where) {
+    if (four) context.error(where, "four indices (h k i l) belong to hexagonal axes");
+  };
+  for (const RawForm& f : raw.forms) refuse(f.four_indices, f.where);
+  for (const RawFace& f : raw.faces) refuse(f.direction.size() == 4, f.where);
+  if (raw.twin) refuse(raw.twin->four_indices, raw.twin->where);
+}
+
 void add_faces(Context& context, RawCrystal& raw, const PointGroup& group, Habit& habit) {
   for (const RawFace& f : raw.faces) {
     std::string why;
     const auto face = face_of_indices(f.direction, why);
     if (!face) context.error(f.where, why);
-    else raw.forms.push_back({*face, f.distance, true, f.where});
+    else raw.forms.push_back({*face, f.distance, true, false, f.where});
   }
   const bool inverted = raw.left || raw.enantiomorph;
   if (inverted && !group.has_hands())
@@ -95,6 +113,7 @@ void add_faces(Context& context, RawCrystal& raw, const PointGroup& group, Habit
     if (f.single) habit.faces.push_back({face, f.distance});
     else
       for (const Miller m : form(group, face)) habit.faces.push_back({m, f.distance});
+    context.step(f.where, habit.faces.size());
     if (habit.faces.size() <= most_faces) continue;
     context.error(f.where, "a crystal with more than " + std::to_string(most_faces) + " faces");
     throw GiveUp{};
@@ -148,7 +167,11 @@ void finish_crystal(Context& context, RawObject& object) {
   habit.lattice = *lattice;
   habit.size = raw.size;
   habit.cuts = object.facets;
+  check_four_indices(context, raw, *group);
   add_faces(context, raw, *group, habit);
+  if (raw.twin && raw.twin->individuals * habit.faces.size() > most_faces)
+    return context.error(raw.twin->where, "a twin with more than " + std::to_string(most_faces) +
+                                              " faces in all its individuals");
   if (raw.twin && !(habit.twin = composition_of(context, *raw.twin))) return;
   object.axes = basis(*lattice);
   object.individuals.clear();
@@ -178,6 +201,28 @@ bool check_closed(Context& context, const RawObject& raw) {
                      : raw.crystal ? " (X, Y, Z): no facet closes it there"
                                    : ": no facet closes it there"));
   return false;
+}
+
+CsgShape protruding(const RawIndividual& individual, Location where) {
+  CsgShape shape;
+  shape.root.operation = CsgShape::Operation::difference;
+  for (const auto& faces : {individual.faces, individual.without}) {
+    CsgShape::Node leaf;
+    leaf.leaf = ConvexShape{faces};
+    leaf.kind = "crystal";
+    leaf.where = where;
+    shape.root.operands.push_back(std::move(leaf));
+  }
+  shape.root.kind = "crystal";
+  shape.root.where = where;
+  return shape;
+}
+
+Affines shape_frame(const RawObject& raw) {
+  Affines frame;
+  if (raw.axes) frame.push_back(*raw.axes);
+  if (raw.block->name == "crystal") frame.push_back(from_crystal());
+  return frame;
 }
 
 }  // namespace nicol

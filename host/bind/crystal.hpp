@@ -11,6 +11,7 @@ struct RawForm {
   crystallography::Miller face;
   double distance = 1;
   bool single = false;  // `face`: without its equivalents
+  bool four_indices = false;
   Location where;
 };
 
@@ -25,7 +26,7 @@ struct RawTwin {
   std::optional<crystallography::TwinLaw> element;  // `axis`, `normal` or `plane`
   std::optional<double> angle_deg;
   std::optional<crystallography::Miller> contact;
-  bool penetration = false;
+  bool penetration = false, four_indices = false;
   double offset = 0, thickness = 0;
   int individuals = 2;
   Location where;
@@ -78,6 +79,8 @@ std::optional<crystallography::Lattice> lattice_of(Context& context, const RawCr
 void finish_crystal(Context& context, RawObject& raw);
 // Whether the facets of a crystal or gem enclose a solid; tells in which direction they do not.
 bool check_closed(Context& context, const RawObject& raw);
+// What stands out of the individual that this one grew through.
+CsgShape protruding(const RawIndividual& individual, Location where);
 
 // ---- gem.cpp ----
 void add_gem_rules(Context& context, RawObject& raw, Schema& schema);

@@ -35,10 +35,12 @@ void read_form(Context& context, const sdl::Block& block, RawForm& raw) {
       if (const auto face = face_of(context, item.where, {vector->v.begin(),
                                                           vector->v.begin() + vector->size}))
         raw.face = *face;
+      raw.four_indices = vector->size == 4;
       has_face = true;
     } else if (item.string() && !has_face && numbers.empty()) {
       if (const auto list = crystallography::parse_indices(*item.string())) {
         if (const auto face = face_of(context, item.where, *list)) raw.face = *face;
+        raw.four_indices = list->size() == 4;
       } else {
         context.error(item.where, "expected indices, as \"10-11\" or \"1 0 -1 1\"");
       }
@@ -60,6 +62,7 @@ void read_form(Context& context, const sdl::Block& block, RawForm& raw) {
     }
     if (const auto face = face_of(context, block.where, {numbers.begin(), numbers.begin() + indices}))
       raw.face = *face;
+    raw.four_indices = indices == 4;
     numbers.erase(numbers.begin(), numbers.begin() + indices);
   }
   if (numbers.size() > 1)
@@ -162,6 +165,7 @@ Schema twin_schema(Context& context, RawTwin& raw) {
       std::vector<double> list = a.tuple;
       if (operation == TwinLaw::Operation::rotation_about_edge && list.size() != 3)
         return c->error(a.where, "an axis is <u, v, w> along the edges of the cell");
+      r->four_indices |= list.size() == 4;
       if (const auto face = face_of(*c, a.where, list))
         r->element = TwinLaw{operation, *face, 180, std::nullopt, false};
     };
@@ -179,6 +183,7 @@ Schema twin_schema(Context& context, RawTwin& raw) {
       {"angle", "n", [=](const Args& a) { r->angle_deg = a.numbers[0]; }, "of the turn (180)"},
       {"contact", "t",
        [=](const Args& a) {
+         r->four_indices |= a.tuple.size() == 4;
          if (const auto face = face_of(*c, a.where, a.tuple)) r->contact = *face;
        },
        "the plane in common: <h,k,l>"},

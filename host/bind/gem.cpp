@@ -13,6 +13,7 @@ namespace {
 using namespace crystallography;
 
 constexpr std::uintmax_t most_bytes = 4u << 20;
+constexpr std::size_t most_facets = 10'000;
 
 // The working directory, the library folders, the scene's own folder: as for `#include`.
 std::string find_file(const Context& context, const std::string& name) {
@@ -145,6 +146,11 @@ void finish_gem(Context& context, RawObject& object) {
   if (context.error_count() > errors_before) return;
   if (raw.cut.tiers.empty())
     return context.error(object.block->end_where, "Expected 'facet', } of 'gem' found instead");
+  std::size_t count = 0;
+  for (const GemTier& tier : raw.cut.tiers) count += tier.teeth.size();
+  if (count > most_facets)
+    return context.error(object.block->where,
+                         "a gem with more than " + std::to_string(most_facets) + " facets");
   double scale = 1;
   if (raw.size) {
     const double width = girdle_width(raw.cut);

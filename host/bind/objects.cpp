@@ -205,22 +205,6 @@ void add_convex(Context& context, const Chain* chain, Object& object) {
   context.scene.objects.push_back(std::move(object));
 }
 
-// What stands out of the individual that it grew through.
-CsgShape protruding(const RawIndividual& individual, Location where) {
-  CsgShape shape;
-  shape.root.operation = CsgShape::Operation::difference;
-  for (const auto& faces : {individual.faces, individual.without}) {
-    CsgShape::Node leaf;
-    leaf.leaf = ConvexShape{faces};
-    leaf.kind = "crystal";
-    leaf.where = where;
-    shape.root.operands.push_back(std::move(leaf));
-  }
-  shape.root.kind = "crystal";
-  shape.root.where = where;
-  return shape;
-}
-
 // Individuals are crystals of their own, in optical contact.
 void add_twin(Context& context, const Chain* chain, const Object& object) {
   for (const RawIndividual& individual : chain->raw->individuals) {
@@ -298,13 +282,6 @@ void add_object(Context& context, const sdl::Block& block, const Chain* outer) {
 }
 
 }  // namespace
-
-Affines shape_frame(const RawObject& raw) {
-  Affines frame;
-  if (raw.axes) frame.push_back(*raw.axes);
-  if (raw.block->name == "crystal") frame.push_back(from_crystal());
-  return frame;
-}
 
 void bind_object(Context& context, const sdl::Block& block) { add_object(context, block, nullptr); }
 

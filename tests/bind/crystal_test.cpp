@@ -8,7 +8,8 @@ namespace {
 const std::string uniaxial =
     " interior { ordinary { constant 1.54 } extraordinary { constant 1.55 } rotation { constant 20 } } ";
 const std::string quartz = "crystal { axial_ratio { 1.09997 } point_group \"32\" ";
-const std::string prism_and_tips = "form { 1,0,-1,0, 0.5 } form { <1,0,1>, 1 } form { <0,1,1>, 1 } ";
+const std::string prism_and_tips =
+    "form { 1,0,-1,0, 0.5 } form { <1,0,-1,1>, 1 } form { <0,1,1>, 1 } ";
 
 Vec3 normal_of(const Built& b, std::size_t cell, int shape_face) {
   const Cell& c = b.cell(cell);
@@ -127,6 +128,18 @@ TEST_CASE("twins: two individuals in optical contact, each with its axes and han
     CHECK(b.patches(Patch::Behind::cell_gap) == 0);
     const Vec3 c0 = b.medium(0).frame_at(0)[2], c1 = b.medium(1).frame_at(0)[2];
     CHECK(std::abs(dot(c0, c1)) == doctest::Approx(row.cosine_of_c).epsilon(1e-4));
+    // Both prisms stand along their own axes c.
+    for (std::size_t i : {0, 1}) {
+      const Vec3 c = b.medium(i).frame_at(0)[2];
+      int prism_faces = 0;
+      for (int f = b.cell(i).first_face; f < b.cell(i).first_face + b.cell(i).face_count; ++f) {
+        const Face& face = b.geometry.faces[f];
+        if (face.shape_face >= 6) continue;
+        ++prism_faces;
+        CHECK(std::abs(dot(face.plane.normal, c)) < 1e-12);
+      }
+      CHECK(prism_faces >= 3);  // half a hexagon
+    }
     const double g0 = b.medium(0).gyration[2][0], g1 = b.medium(1).gyration[2][0];
     CHECK(g1 == (row.other_hand ? -g0 : g0));
   }
@@ -193,6 +206,10 @@ TEST_CASE("bad crystals are told what is wrong, at its place") {
        "forms need a 'point_group' (or 'system') to find their faces"},
       {"crystal { cdl \"trigonal[32]:{10-10}@1.0 + {1010}\"" + end,
        "CDL, character 29: Miller-Bravais indices (h k i l) need h + k + i = 0"},
+      {"crystal { system \"cubic\" form { <1,0,-1,0>, 1 }" + end,
+       "four indices (h k i l) belong to hexagonal axes"},
+      {quartz + prism_and_tips + "twin { law \"japan\" individuals 900 thickness 0.001 }" + end,
+       "a twin with more than 10000 faces in all its individuals"},
       {"crystal { facet x, 1 size 3" + end, "'size' belongs to a crystal of forms"},
       {"crystal { facet x, 1 left" + end, "'left' and 'enantiomorph' belong to a crystal of forms"},
       {quartz + prism_and_tips + "twin { law \"japn\" }" + end,

@@ -82,6 +82,12 @@ TEST_CASE("a cut is read from GemCad's text, found beside the scene's libraries"
             .text()
             .find("line 2: expected the distance of a facet, 'x' found instead") != std::string::npos);
   std::filesystem::remove(path);
+  const auto binary = std::filesystem::path(path).replace_extension(".gem");
+  std::ofstream(binary) << "x";
+  CHECK(bind_text(lit + "gem { gemcad \"" + binary.string() + "\"" + glass + "}")
+            .text()
+            .find("'.gem' is GemCad's binary format, which is not published") != std::string::npos);
+  std::filesystem::remove(binary);
 }
 
 TEST_CASE("bad gems are told what is wrong") {
