@@ -18,16 +18,22 @@
 #include "path.h"
 #include "waves.h"
 
-#define is_crystal(view, medium) (has(birefringence, view) && (view)->media[(medium) * MEDIUM_INTS + MEDIUM_WAVES] != WAVES_ISOTROPIC)
+// The kind of waves of a medium in terms of constants, so that what a scene does not have is left out of its kernel.
+FUNCTION int kind_of_waves(PRIVATE const SceneView* view, int medium) {
+  int kind = view->media[medium * MEDIUM_INTS + MEDIUM_WAVES];
+  if (!has(birefringence, view)) return WAVES_ISOTROPIC;
+  if (!has(polarization, view)) return WAVES_ISOTROPIC;
+  if (has(general_waves, view) && kind == WAVES_GENERAL) return WAVES_GENERAL;
+  return kind == WAVES_UNIAXIAL ? WAVES_UNIAXIAL : WAVES_ISOTROPIC;
+}
+
+#define is_crystal(view, medium) (kind_of_waves(view, medium) != WAVES_ISOTROPIC)
 
 FUNCTION WaveMedium wave_medium(PRIVATE const SceneView* view, int medium) {
   GLOBAL const int* record = view->media + medium * MEDIUM_INTS;
   int row = record[MEDIUM_ROW];
   WaveMedium m;
-  // in terms of constants, so that what a scene does not have is left out of its kernel
-  m.kind = record[MEDIUM_WAVES] == WAVES_ISOTROPIC                              ? WAVES_ISOTROPIC
-           : has(general_waves, view) && record[MEDIUM_WAVES] == WAVES_GENERAL ? WAVES_GENERAL
-                                                                                : WAVES_UNIAXIAL;
+  m.kind = kind_of_waves(view, medium);
   m.active = has(gyration, view) && record[MEDIUM_ACTIVE];
   m.n = spectral(view, row + MEDIUM_ROW_N);
   m.eps = m.n * m.n;
@@ -39,7 +45,7 @@ FUNCTION WaveMedium wave_medium(PRIVATE const SceneView* view, int medium) {
     m.d_eps = spectral(view, row + UNIAXIAL_ROW_D_EPS);
     m.d_eta = spectral(view, row + UNIAXIAL_ROW_D_ETA);
   }
-  if (has(general_waves, view) && m.kind == WAVES_GENERAL) {
+  if (m.kind == WAVES_GENERAL) {
     for (int i = 0; i < 6; ++i) m.atil[i] = spectral(view, row + GENERAL_ROW_ATIL + i);
     for (int i = 0; i < 6 && m.active; ++i) {
       m.gq[i] = spectral(view, row + GENERAL_ROW_GQ + i);
