@@ -1,6 +1,6 @@
 // A wedge of quartz between crossed polarizers, its optic axis at 45 deg to them, in daylight: the colours of Newton and
-// Michel-Levy, from black at the thin edge to the fourth order. The plate steps below the wedge have the thickness
-// of its colours 1/4, 1/2 and so on of a wave; the wavelengths are close enough that the two waves stay coherent.
+// Michel-Levy, from black at the thin edge to the fourth order. The plates below retard by 150, 300, 550,
+// 1000 and 1700 nm; the wavelengths are close enough that the two waves stay coherent.
 // Look for: first-order grey, white, yellow, red; the sensitive tint (551 nm) and its sharp change to blue; paler
 // pinks and greens further on.
 #version unofficial 3.7;
@@ -8,7 +8,7 @@
 #include "units.inc"
 #include "minerals.inc"
 #include "closed_forms.inc"
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 380 to 780 step 10 }  max_trace_level 20  adc_bailout 1e-6  exposure 2 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 380 to 780 step 10 }  max_trace_level 20  adc_bailout 1e-6  exposure 1.8 }
 
 #declare Longest = 0.24;      // mm: 2184 nm at 589 nm
 #declare View = 20;           // mm
@@ -52,3 +52,18 @@ prism { 0.5, 9, 4, <-9.5, 0>, <9.5, 0>, <9.5, -Longest>, <-9.5, 0>  interior { M
     }
   #end
 #end
+
+// The published colours: the same sum over daylight for 1 nm, without the faces; these take (1 - R)^2 = 0.914 and the
+// first polarizer half of the light.
+#declare Seen = pow(1 - Normal_R(1, 1.549), 2)/2;
+#macro Expect_Colour(I, Xyz)
+  expect {
+    xyz Seen*Xyz at <0.5 + (-9.5 + 3.9*I + 1.7)/View, 0.74> within 0.003
+    source "Michel-Levy's colours by Ghosh's dispersion, CIE 1931, D65, integrated at 1 nm"
+  }
+#end
+Expect_Colour(0, <0.53328, 0.57031, 0.83395>)
+Expect_Colour(1, <0.88518, 0.96100, 0.76882>)
+Expect_Colour(2, <0.15804, 0.06297, 0.53553>)
+Expect_Colour(3, <0.61934, 0.38358, 0.59080>)
+Expect_Colour(4, <0.30323, 0.35425, 0.40269>)
