@@ -182,14 +182,10 @@ class Reader {
 
   bool take_direction(Args& args) {
     const std::string* word = at_ < block_.items.size() ? block_.items[at_].word() : nullptr;
-    const bool is_axis = word && (*word == "a" || *word == "b" || *word == "c");
-    const std::vector<double> v = components();
-    if (!is_axis && v.size() != 3) return missing('d');
-    if (is_axis)
-      args.vectors.push_back(
-          {*word == "a" ? 1. : 0., *word == "b" ? 1. : 0., *word == "c" ? 1. : 0.});
-    else if (!take_one('v', args)) return false;
-    at_ += is_axis;
+    if (!word) return components().size() == 3 ? take_one('v', args) : missing('d');
+    if (*word != "a" && *word != "b" && *word != "c") return missing('d');
+    args.vectors.push_back({double(*word == "a"), double(*word == "b"), double(*word == "c")});
+    ++at_;
     return true;
   }
 

@@ -139,10 +139,10 @@ TEST_CASE("minerals: there are many, each says its source and its range") {
   }
 }
 
-TEST_CASE("minerals: all bind from 400 to 700 nm and within their ranges, there without a word") {
+TEST_CASE("minerals: all bind from 380 to 780 nm and within their ranges, there without a word") {
   for (const std::string& name : all_names()) {
     INFO(name);
-    const Medium m = mineral(name, "from 400 to 700 step 20");
+    const Medium m = mineral(name, "from 380 to 780 step 20");
     const auto wavelength = [](double nm) { return std::to_string(nm) + " "; };
     const double high = std::min(m.range_nm[1], 1000.0);
     const Bound b = bind_mineral(name, wavelength(m.range_nm[0] + 1e-3) + wavelength(high - 1e-3) +
