@@ -8,7 +8,7 @@
 #include "evanescent_waves.h"
 #include "precise_waves.h"
 
-#define EVANESCENT_RESIDUAL (sizeof(scalar) == 8 ? 1e-12f : 1e-5f)
+#define EVANESCENT_RESIDUAL (sizeof(scalar) == 8 ? 1e-14f : 1e-5f)
 #define EVANESCENT_LEAST 3e-3f       // Im p/n below which the critical angle is too near
 #define EVANESCENT_CLOSE 3e-5f       // distance of two roots, with overlap of their polarizations^2:
 #define EVANESCENT_ALIKE 0.49f
@@ -18,13 +18,11 @@
 typedef struct { cplx p, e1, e2; } FaceWave;
 
 FUNCTION Mode fields_of_face_wave(PRIVATE const GeneralFace* f, PRIVATE const FaceTensor* z, PRIVATE const FaceWave* w, int complex_p) {
-  cplx d[3], inverse;
+  cplx d[3], inverse = complex_of(lanes(1) / sqrt_of(f->q * f->q + w->p.re * w->p.re), lanes(0));
   if (complex_p) {
     cplx k2 = cmul(w->p, w->p);
     k2.re += f->q * f->q;
-    inverse = cdiv(complex_of(lanes(1), lanes(0)), csqrt_of(k2));
-  } else {
-    inverse = complex_of(lanes(1) / sqrt_of(f->q * f->q + w->p.re * w->p.re), lanes(0));
+    inverse = cpick(w->p.im != lanes(0), cdiv(complex_of(lanes(1), lanes(0)), csqrt_of(k2)), inverse);
   }
   cplx v_t = cmul(w->p, inverse);
   d[0] = cmul(complex_of(-v_t.re, -v_t.im), w->e2);

@@ -8,6 +8,7 @@
 #include "tests/kernels/wave_media.hpp"
 
 using namespace nicol::test;
+using nicol::Vec3;
 
 namespace {
 
@@ -49,8 +50,8 @@ TEST_CASE("R + T = 1 as solved, at a million faces between media of all classes"
       if (i % group == 0) fallbacks += static_cast<std::size_t>(a.fallbacks);
       if (!(a.cos_ray > 1e-3)) continue;
       ++held;
-      // p is known to epsilon n^2/p: below 0.002 rad from grazing that is more than 1e-12 of the flux
-      const double grazing = std::max(1.0, std::pow(2e-3 / a.cos_ray, 2));
+      // p is known to epsilon n^2/p, its flux to epsilon/cos^2: less than 1e-12 farther than 0.01 rad from grazing
+      const double grazing = std::max(1.0, std::pow(1e-2 / a.cos_ray, 2));
       const bool active = anisotropic_active(faces[i].one) || anisotropic_active(faces[i].two);
       double& to = active ? worst_active : worst;
       to = std::isnan(a.off) ? 1 : std::max(to, std::fabs(a.off) / grazing);
