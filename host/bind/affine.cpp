@@ -2,7 +2,7 @@
 #include "host/bind/affine.hpp"
 
 #include "host/bind/units.hpp"
-#include "host/bind/vec.hpp"
+#include "host/vec.hpp"
 
 namespace nicol {
 

@@ -3,7 +3,7 @@
 // much as a perspective one would see at look_at (which is <0,0,1> unless said).
 #include "host/bind/parts.hpp"
 #include "host/bind/units.hpp"
-#include "host/bind/vec.hpp"
+#include "host/vec.hpp"
 
 namespace nicol {
 

@@ -5,7 +5,7 @@
 
 #include "host/bind/crystal.hpp"
 #include "host/bind/units.hpp"
-#include "host/bind/vec.hpp"
+#include "host/vec.hpp"
 
 namespace nicol {
 

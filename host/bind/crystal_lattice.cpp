@@ -98,7 +98,8 @@ std::optional<Cell> cell_of(Context& context, const RawCrystal& raw, System syst
     const double alpha_deg = rhombohedral_angle_deg(default_ratio);
     return Cell{1, 1, 1, alpha_deg, alpha_deg, alpha_deg};
   }
-  context.error(where, std::string("the ") + name(system) + " system needs 'axial_ratio' or 'cell'");
+  context.error(where,
+                std::string("the ") + name(system) + " system needs 'axial_ratio' or 'cell'");
   return std::nullopt;
 }
 

@@ -60,8 +60,8 @@ void read_form(Context& context, const sdl::Block& block, RawForm& raw) {
                                      : "a form is <h, k, l>, distance or h, k, i, l, distance");
       return;
     }
-    if (const auto face = face_of(context, block.where, {numbers.begin(), numbers.begin() + indices}))
-      raw.face = *face;
+    const std::vector<double> list(numbers.begin(), numbers.begin() + indices);
+    if (const auto face = face_of(context, block.where, list)) raw.face = *face;
     raw.four_indices = indices == 4;
     numbers.erase(numbers.begin(), numbers.begin() + indices);
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "host/bind/parts.hpp"
-#include "host/bind/vec.hpp"
+#include "host/vec.hpp"
 
 namespace nicol {
 

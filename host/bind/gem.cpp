@@ -53,10 +53,11 @@ void read_file(Context& context, RawGem& raw) {
 
 void add_tier(Context& context, RawGem& raw, const RawGem::Tier& tier) {
   const bool flat = tier.angle_deg && *tier.angle_deg == 0;
-  const char* missing = !tier.angle_deg                                ? "'angle'"
-                        : tier.teeth.empty() && !flat                  ? "'index'"
-                        : tier.distance.has_value() == tier.meet.has_value() ? "'distance' or 'meet'"
-                                                                       : nullptr;
+  const bool placed_once = tier.distance.has_value() != tier.meet.has_value();
+  const char* missing = !tier.angle_deg               ? "'angle'"
+                        : tier.teeth.empty() && !flat ? "'index'"
+                        : !placed_once                ? "'distance' or 'meet'"
+                                                      : nullptr;
   if (missing) {
     context.error(tier.where, std::string("a facet has ") + missing +
                                   (tier.distance && tier.meet ? ", not both" : ""));
@@ -81,7 +82,8 @@ Schema gem_facet_schema(Context& context, RawGem::Tier& raw) {
       {"angle", "n",
        [=](const Args& a) {
          if (std::abs(a.numbers[0]) > 90)
-           c->error(a.where, "a facet's angle lies between -90 and 90 degrees from the girdle plane");
+           c->error(a.where,
+                    "a facet's angle lies between -90 and 90 degrees from the girdle plane");
          r->angle_deg = a.numbers[0];
        },
        "from the girdle plane: crown > 0, pavilion < 0, girdle 90, table 0"},

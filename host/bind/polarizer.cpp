@@ -7,7 +7,7 @@
 //                           normal points)
 #include "host/bind/parts.hpp"
 #include "host/bind/units.hpp"
-#include "host/bind/vec.hpp"
+#include "host/vec.hpp"
 
 namespace nicol {
 

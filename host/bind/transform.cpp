@@ -1,7 +1,7 @@
 // translate, rotate, scale, matrix and transform { }, as POV-Ray has them: one Affine per
 // elementary step.
 #include "host/bind/parts.hpp"
-#include "host/bind/vec.hpp"
+#include "host/vec.hpp"
 
 namespace nicol {
 

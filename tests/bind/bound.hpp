@@ -6,7 +6,7 @@
 #include <string>
 
 #include "host/bind/bind.hpp"
-#include "host/bind/vec.hpp"
+#include "host/vec.hpp"
 #include "sdl/parse.hpp"
 
 namespace nicol {
