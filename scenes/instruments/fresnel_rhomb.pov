@@ -33,7 +33,7 @@ polygon { 5, <-14, -8, 2>, <14, -8, 2>, <14, 8, 2>, <-14, 8, 2>, <-14, -8, 2>
 #declare Strip = polygon { 5, <-1.2, -6, 0>, <1.2, -6, 0>, <1.2, 0, 0>, <-1.2, 0, 0>, <-1.2, -6, 0> }
 #for (I, 0, 2)
   object { Strip translate <From + 1.4 + 2.6*I, 0, -Deep - 2>  polarizer { ideal angle -45 + 45*I } }
-  object { Strip translate <From - 1.5 + 12.5 + 10*I/2, 0, -Deep - 2>  polarizer { ideal angle -45 + 45*I } }
+  object { Strip scale <0.75, 1, 1> translate <8.2 + 2.3*I, 0, -Deep - 2>  polarizer { ideal angle -45 + 45*I } }
 #end
 
 // ---- what it must give ----------------------------------------------------------------------------
