@@ -16,8 +16,9 @@ enum {
   PROBE_MEDIUM_ZETA = PROBE_MEDIUM_GQ + 6,
   PROBE_MEDIUM_KAPPA = PROBE_MEDIUM_ZETA + 6,
   PROBE_MEDIUM_TENSOR,                              // eps, 6 complex
-  PROBE_MEDIUM_INDEX = PROBE_MEDIUM_TENSOR + 12,    // isotropic: n + i k, complex
-  PROBE_MEDIUM_SCALARS = PROBE_MEDIUM_INDEX + 2,
+  PROBE_MEDIUM_INDEX = PROBE_MEDIUM_TENSOR + 12,    // n + i k, complex: isotropic, ordinary
+  PROBE_MEDIUM_INDEX_E = PROBE_MEDIUM_INDEX + 2,    // the same, extraordinary
+  PROBE_MEDIUM_SCALARS = PROBE_MEDIUM_INDEX_E + 2,
 
   // problem
   PROBE_TASK = 0,
@@ -51,6 +52,7 @@ enum {
   BULK_N = 0,                                       // complex
   BULK_E = 2, BULK_H = 8, BULK_D = 14,              // 3 complex each, world, |E| = 1
   BULK_SCALARS = 20,
+  BULK_GAP = 2 * BULK_SCALARS,                      // n of wave 1 less that of wave 0, complex
   // answer of propagation
   PROPAGATION_N = 0,                                // 2 complex
   PROPAGATION_RETARDANCE = 4,                       // radians

@@ -1,4 +1,4 @@
-// `probe`: the two waves with a given wave normal, and a field carried along it. Transparent media by section.h, which
+// `probe` (one lane): the two waves with a given wave normal, and a field carried along it. Transparent media by section.h, which
 // launches rays; absorbing ones exactly (precise_waves.h at q = 0).
 #ifndef NICOL_PROBE_BULK_H
 #define NICOL_PROBE_BULK_H
@@ -67,6 +67,12 @@ FUNCTION void bulk_waves(GLOBAL const scalar* problem, PRIVATE BulkWave* w, PRIV
     absorbing_waves(medium, s, w, gap);
   } else {
     transparent_waves(medium, s, w, gap);
+    if (any_lane(gap->re < lanes(0))) {  // the fast one first
+      BulkWave first = w[0];
+      w[0] = w[1];
+      w[1] = first;
+      gap->re = -gap->re;
+    }
   }
 }
 
@@ -88,6 +94,7 @@ FUNCTION void solve_bulk(GLOBAL const scalar* problem, GLOBAL scalar* answer) {
     write_complex3(out + BULK_H, scale_complex3(unit, w[j].h));
     write_complex3(out + BULK_D, scale_complex3(unit, w[j].d));
   }
+  write_complex(answer + BULK_GAP, gap);
 }
 
 FUNCTION cplx along_axis(cvec3 v, vec3 axis) { return complex_of(dot3(v.re, axis), dot3(v.im, axis)); }

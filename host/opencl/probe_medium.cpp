@@ -107,8 +107,11 @@ void put_medium(std::vector<double>& s, std::size_t at, const ProbeMedium& m) {
   s[at + PROBE_MEDIUM_EPS] = reference_eps(m);
   s[at + PROBE_MEDIUM_N] = std::sqrt(reference_eps(m));
   s[at + PROBE_MEDIUM_KAPPA] = m.kind == chiral ? m.zeta[0] : 0;
-  s[at + PROBE_MEDIUM_INDEX] = m.n[0];
-  s[at + PROBE_MEDIUM_INDEX + 1] = m.k[0];
+  const std::size_t ordinary = (m.optic_axis + 1) % 3;
+  s[at + PROBE_MEDIUM_INDEX] = m.n[ordinary];
+  s[at + PROBE_MEDIUM_INDEX + 1] = m.k[ordinary];
+  s[at + PROBE_MEDIUM_INDEX_E] = m.n[m.optic_axis];
+  s[at + PROBE_MEDIUM_INDEX_E + 1] = m.k[m.optic_axis];
   put_tensor(s, at + PROBE_MEDIUM_ZETA, m.zeta, m);
   Vector re, im;
   for (std::size_t i = 0; i < 3; ++i) {

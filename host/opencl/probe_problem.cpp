@@ -9,6 +9,8 @@ namespace {
 
 using nlohmann::json;
 
+enum Kind { isotropic_kind = 0, uniaxial_kind = 1, chiral_kind = 3 };  // of kernels/wave_medium.h
+
 // Waves of an isotropic medium: hand -1 right, n - kappa, and +1 left, n + kappa (complex where it absorbs).
 Complex wave_index(const ProbeMedium& m, int hand) { return Complex(m.n[0], m.k[0]) + hand * m.zeta[0]; }
 
@@ -53,12 +55,14 @@ IncidentWave isotropic_wave(const ProbeMedium& m, Complex length) {
 
 // The dispersion relation of the ordinary or of the extraordinary wave holds better.
 IncidentWave uniaxial_wave(const ProbeMedium& m, const ComplexVector& k, Complex k2) {
-  const double n_e = m.n[m.optic_axis], eps_o = reference_eps(m), eps_e = n_e * n_e;
+  const std::size_t ordinary = (m.optic_axis + 1) % 3;
+  const Complex n_o(m.n[ordinary], m.k[ordinary]), n_e(m.n[m.optic_axis], m.k[m.optic_axis]);
+  const Complex eps_o = n_o * n_o, eps_e = n_e * n_e;
   Complex along = 0;
   for (std::size_t i = 0; i < 3; ++i) along += k[i] * m.axes[m.optic_axis][i];
   const double off_o = std::abs(k2 - eps_o);
-  const double off_e = std::abs(k2 * eps_o + (eps_e - eps_o) * along * along - eps_o * eps_e) / eps_e;
-  return off_o <= off_e ? IncidentWave{0, std::sqrt(eps_o), eps_o} : IncidentWave{1, std::sqrt(k2), k2};
+  const double off_e = std::abs((k2 * eps_o + (eps_e - eps_o) * along * along - eps_o * eps_e) / eps_e);
+  return off_o <= off_e ? IncidentWave{0, n_o, eps_o} : IncidentWave{1, std::sqrt(k2), k2};
 }
 
 IncidentWave incident_wave(const Reader& face, const ProbeMedium& m, const ComplexVector& k) {
@@ -66,7 +70,7 @@ IncidentWave incident_wave(const Reader& face, const ProbeMedium& m, const Compl
   const bool isotropic = reference_eps(m) == m.n[0] * m.n[0] && m.n[0] == m.n[1] && m.n[1] == m.n[2];
   IncidentWave wave = {-1, length, k2};
   if (isotropic && m.zeta[0] == m.zeta[1] && m.zeta[1] == m.zeta[2]) wave = isotropic_wave(m, length);
-  else if (!m.active && !m.absorbs && m.n[(m.optic_axis + 1) % 3] == m.n[(m.optic_axis + 2) % 3]) wave = uniaxial_wave(m, k, k2);
+  else if (m.kind == uniaxial_kind) wave = uniaxial_wave(m, k, k2);
   const auto [least, most] = std::minmax_element(m.n.begin(), m.n.end());
   const double slack = 1e-6 * *most + 2 * std::max({std::fabs(m.zeta[0]), std::fabs(m.zeta[1]), std::fabs(m.zeta[2])});
   if (isotropic && std::abs(length - wave.index) > 1e-6 * std::abs(wave.index))
@@ -90,12 +94,11 @@ void put(std::vector<double>& scalars, int at, Complex z) {
   scalars[at + 1] = z.imag();
 }
 
-Complex bracket_of(const ProbeMedium& m, const ProbeMedium& medium1, const IncidentWave& wave) {
-  const bool plain = m.n[0] == m.n[1] && m.n[1] == m.n[2] && !m.active;
-  const bool plain1 = medium1.n[0] == medium1.n[1] && medium1.n[1] == medium1.n[2] && !medium1.active;
-  if (plain && plain1) return bracket(Complex(m.n[0], m.k[0]), wave.index);
-  if (wave.index == std::sqrt(reference_eps(m))) return 0;
-  return reference_eps(m) - wave.k2;
+// eps of the medium (ordinary; of absorbing ones complex) less |k|^2.
+Complex bracket_of(const ProbeMedium& m, const IncidentWave& wave) {
+  const std::size_t ordinary = (m.optic_axis + 1) % 3;
+  const bool by_index = m.kind == isotropic_kind || m.kind == chiral_kind || m.kind == uniaxial_kind;
+  return by_index ? bracket(Complex(m.n[ordinary], m.k[ordinary]), wave.index) : reference_eps(m) - wave.k2;
 }
 
 Reader named_case(const json& value, const char* kind, std::size_t position, std::string& id) {
@@ -120,8 +123,8 @@ ProbeProblem read_face(const json& value, std::size_t position) {
   put(s, PROBE_K, in.k);
   put(s, PROBE_E, in.e);
   put(s, PROBE_H, in.h);
-  put(s, PROBE_BRACKET1, bracket_of(problem.media[0], problem.media[0], wave));
-  put(s, PROBE_BRACKET2, bracket_of(problem.media[1], problem.media[0], wave));
+  put(s, PROBE_BRACKET1, bracket_of(problem.media[0], wave));
+  put(s, PROBE_BRACKET2, bracket_of(problem.media[1], wave));
   put_medium(s, PROBE_MEDIUM1, problem.media[0]);
   put_medium(s, PROBE_MEDIUM2, problem.media[1]);
   return problem;
