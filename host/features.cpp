@@ -153,6 +153,8 @@ Features decide_features(const Scene& scene, const Geometry& geometry) {
   decide_light(scene, d);
   decide_media(scene, d);
   decide_shapes(scene, geometry, d);
+  if (is_crystal(scene, scene.media[geometry.cells[geometry.camera_cell].medium]))
+    d.call(FEATURE_camera_in_crystal, "camera" + at(scene.camera.where));
   const Channels channels = choose_channels(scene);
   Features out;
   const std::string wavelengths = std::to_string(scene.lambda_nm.size());

@@ -18,9 +18,7 @@ FUNCTION Path camera_path(PRIVATE const SceneView* view, real u, real v, PRIVATE
   path.ray.from_cell = path.ray.from_sheet = -1;
   path.level = 0;
   path.pinned = -1;
-  path.carries = CARRIES_ANY;
-  path.k = path.ray.direction;
-  path.ellipse = path.gap = lanes(0);
+  carry_any(&path);
   int cell = view->header[HEADER_CAMERA_CELL];
   path.ray.position = sub3(path.ray.position, cell_centre(view, cell));
   path.ray.cell = cell;

@@ -33,13 +33,12 @@ FUNCTION void send_isotropic(PRIVATE const SceneView* view, PRIVATE const Path* 
                              PRIVATE const WaveMedium* m, PRIVATE const WavePair* waves, cplx amplitude[2][2], PRIVATE Children* out) {
   PRIVATE Path* path = &out->paths[out->count++];
   *path = *from;
-  path->carries = CARRIES_ANY;
   path->axis = f->u;
   mask runs = waves->mode[0].p.im == lanes(0);
   real inverse_n = lanes(1) / m->n;
   vec3 d = add3(scale3(f->q * inverse_n, f->t), scale3(waves->mode[0].p.re * inverse_n, f->n));
   path->ray.direction = pick3(runs, renew_unit(d), f->n);
-  path->k = path->ray.direction;
+  carry_any(path);
   for (int r = 0; r < jones_rows(view); ++r) {
     path->jones.e[r] = amplitude[0][r];
     path->jones.f[r] = amplitude[1][r];
@@ -238,9 +237,10 @@ FUNCTION void send(PRIVATE const SceneView* view, PRIVATE const Path* from, PRIV
   }
 }
 
-// The waves of the path where it meets the face, amplitudes in the columns of its Jones matrix.
+// The waves of the path where it meets the face, amplitudes in the columns of its Jones matrix. pair: the face's own waves of
+// medium 1, for a path that carries both.
 FUNCTION Incident incident_waves(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE const FaceAxes* f,
-                                 PRIVATE const WaveMedium* m, real p1, real p2_ref, mask live, PRIVATE int* fallbacks) {
+                                 PRIVATE const WaveMedium* m, real p1, PRIVATE const WavePair* pair) {
   Incident in;
   in.count = path->carries == CARRIES_ANY || path->carries == CARRIES_PAIR ? 2 : 1;
   if (path->carries == CARRIES_ANY) {
@@ -248,9 +248,8 @@ FUNCTION Incident incident_waves(PRIVATE const SceneView* view, PRIVATE Path* pa
     in.mode[0] = s_mode(f->q, p);
     in.mode[1] = p_mode(f->q, p, m->n);
   } else if (has(coherent_waves, view) && path->carries == CARRIES_PAIR) {
-    WavePair pair = waves_of_face(m, f, p2_ref, 0, -1, lanes(0), live, fallbacks);
-    in.mode[0] = pair.mode[0];
-    in.mode[1] = pair.mode[1];
+    in.mode[0] = pair->mode[0];
+    in.mode[1] = pair->mode[1];
     pair_on_face(view, path, f, in.mode);
   } else {
     cvec3 e, h, d = unit_d(path->axis, cross3(path->axis, wave_normal(path->k)), path->ellipse, 0);
@@ -277,16 +276,18 @@ FUNCTION void split_waves(PRIVATE const SceneView* view, PRIVATE Path* path, Int
   real delta = spectral(view, pair_row(view, face.medium1, face.medium2));
   real square1 = on_reference ? p1 * p1 : (m1.n - f.q) * (m1.n + f.q);
   real square2 = on_reference ? p1 * p1 + delta : (m2.n - f.q) * (m2.n + f.q);
-  Incident in = incident_waves(view, path, &f, &m1, p1, square1, live, &fallbacks);
   int known = path->carries == CARRIES_ANY ? 2 : path->carries == CARRIES_ORDINARY ? 0 : -1;
   real known_p = -p1;
   if (m1.kind == WAVES_UNIAXIAL && path->carries == CARRIES_ONE) {
     known = 1;
     known_p = reflected_extraordinary_root(&m1, &f, p1);
   }
-  WavePair pairs[2];
-  pairs[0] = waves_of_face(&m1, &f, square1, 1, known, known_p, live, &fallbacks);
-  pairs[1] = waves_of_face(&m2, &f, square2, 0, -1, lanes(0), live, &fallbacks);
+  // one call for all three, because every call is a copy of the solvers: reflected, refracted, and incident where both waves are
+  WavePair pairs[3];
+  int sides = has(coherent_waves, view) && path->carries == CARRIES_PAIR ? 3 : 2;
+  for (int i = 0; i < sides; ++i)
+    pairs[i] = waves_of_face(i == 1 ? &m2 : &m1, &f, i == 1 ? square2 : square1, i == 0, i == 0 ? known : -1, known_p, live, &fallbacks);
+  Incident in = incident_waves(view, path, &f, &m1, p1, &pairs[2]);
   FaceAmplitudes a = face_amplitudes(in.mode, in.count, &pairs[0], &pairs[1]);
   real tolerance = lanes(sizeof(scalar) == 8 ? 1e-9f : 1e-2f);
   sum->energy_off = sum->energy_off | (live & (abs_of(a.off[0]) > tolerance));
@@ -303,11 +304,7 @@ FUNCTION void split_waves(PRIVATE const SceneView* view, PRIVATE Path* path, Int
         amplitude[w][r] = cpick(live, amplitude[w][r], complex_of(lanes(0), lanes(0)));
       }
     }
-    if (side) {
-      send(view, through, &f, &m2, &pairs[1], amplitude, refracted, sum);
-    } else {
-      send(view, back, &f, &m1, &pairs[0], amplitude, reflected, sum);
-    }
+    send(view, side ? through : back, &f, side ? &m2 : &m1, &pairs[side], amplitude, side ? refracted : reflected, sum);
   }
 }
 

@@ -23,6 +23,13 @@ typedef struct {
   int pinned;   // patch whose cell the ray enters next, without a way to go; -1: none
 } Path;
 
+// The path as it is in an isotropic medium.
+FUNCTION void carry_any(PRIVATE Path* path) {
+  path->carries = CARRIES_ANY;
+  path->k = path->ray.direction;
+  path->ellipse = path->gap = lanes(0);
+}
+
 // Stokes radiance in the axes of the path's start, and the weight that was cut off. `lost` is what rounding
 // took from the sums so far: a tree may bring 1e6 small terms (Kahan, Commun. ACM 8, 40 (1965)).
 typedef struct {

@@ -225,7 +225,7 @@ FUNCTION int step(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE Pat
 FUNCTION int start_in_crystal(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE PathStack* stack,
                               PRIVATE Gathered* sum, GLOBAL event_count* counters) {
   int medium = cell_of(view, path->ray.cell)[CELL_MEDIUM];
-  if (!is_crystal(view, medium)) return 1;
+  if (!has(camera_in_crystal, view) || !is_crystal(view, medium)) return 1;
   WaveMedium m = wave_medium(view, medium);
   vec3 s = path->ray.direction, f = second_axis(path);
   SectionWaves section = waves_of_section(&m, s);
