@@ -150,8 +150,11 @@ FUNCTION void go_through_crystal(PRIVATE const SceneView* view, PRIVATE Path* pa
   if (has(pleochroism, view) && view->media[medium * MEDIUM_INTS + MEDIUM_ABSORBS]) {
     WaveMedium m = wave_medium(view, medium);
     vec3 f = cross3(path->axis, wave_normal(path->k));
+    real half_gap = pair ? lanes(0.5f) * path->gap / sqrt_of(dot3(path->k, path->k)) : lanes(0);
     for (int wave = 0; wave < (pair ? 2 : 1); ++wave) {
-      real lost = absorbed_per_mm(view, &m, medium, path->k, unit_d(path->axis, f, path->ellipse, wave));
+      // the wave's own k: a pair's is the mean, off by half the birefringence
+      vec3 k = scale3(wave ? lanes(1) + half_gap : lanes(1) - half_gap, path->k);
+      real lost = absorbed_per_mm(view, &m, medium, k, unit_d(path->axis, f, path->ellipse, wave));
       gain[wave] = cscale(exp_of(lanes(-0.5f) * lost * depth_mm), gain[wave]);
     }
   }
