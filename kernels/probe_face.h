@@ -183,8 +183,8 @@ FUNCTION void solve_transparent(GLOBAL const scalar* problem, GLOBAL scalar* ans
   int known = (int)problem[PROBE_KNOWN], fallbacks = 0;
   mask live = p1 == p1;
   real known_p = known == 1 && medium1.kind == WAVES_UNIAXIAL ? reflected_extraordinary_root(&medium1, &f->axes, p1) : -p1;
-  WavePair reflected = waves_of_face(&medium1, &f->axes, p1 * p1 + lanes(problem[PROBE_BRACKET1]), 1, known, known_p, live, &fallbacks);
-  WavePair transmitted = waves_of_face(&medium2, &f->axes, p1 * p1 + lanes(problem[PROBE_BRACKET2]), 0, -1, p1, live, &fallbacks);
+  WavePair reflected = waves_of_face(&medium1, &f->axes, fma_of(p1, p1, lanes(problem[PROBE_BRACKET1])), 1, known, known_p, live, &fallbacks);
+  WavePair transmitted = waves_of_face(&medium2, &f->axes, fma_of(p1, p1, lanes(problem[PROBE_BRACKET2])), 0, -1, p1, live, &fallbacks);
   cplx amplitude[2][4];
   match_fields(&f->incident, 1, transmitted.mode, reflected.mode, amplitude);
   FaceAmplitudes shared = share_powers(&f->incident, 1, &reflected, &transmitted, amplitude);
