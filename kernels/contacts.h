@@ -66,6 +66,7 @@ FUNCTION Hit hit_across_gap(PRIVATE const SceneView* view, PRIVATE const Path* p
   hit.depth_mm = lanes(0);
   hit.face = lane_ints(record[PATCH_FACE]);
   hit.normal = scale3(lanes(-1), broadcast(view->face_reals + record[PATCH_FACE] * FACE_REALS));
+  hit.offset = lanes(view->face_reals[record[PATCH_FACE] * FACE_REALS + 3]);
   hit.key = lane_ints(key_of_cell(record[PATCH_CELL]));
   return hit;
 }

@@ -69,11 +69,7 @@ FUNCTION Wave wave_of_mode(PRIVATE const FaceAxes* f, PRIVATE const Mode* mode) 
 }
 
 FUNCTION Hit next_exit(PRIVATE const SceneView* view, PRIVATE const Ray* ray) {
-  Hit hit;
-  hit.depth_mm = FAR_MM;
-  hit.normal = ray->direction;
-  hit.key = lane_ints(KEY_MISS);
-  hit.face = lane_ints(0);
+  Hit hit = no_hit(ray);
   meet_exits(view, ray, &hit);
   return hit;
 }

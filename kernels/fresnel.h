@@ -43,7 +43,9 @@ FUNCTION Fresnel fresnel(real p1, real delta, real eps1) {
   real sum_p = a + b;
   real inverse_p = lanes(1) / (sum_p * sum_p + b_decay * b_decay);
   real total_p = a * a - b_decay * b_decay;
-  real partial_p = delta * (p1 * p1 * (eps1 + eps2) - eps1 * eps1);
+  // (a - b)(a + b): by delta between near media, where a - b cancels; by a - b between others, where the bracket does
+  mask near = abs_of(delta) < lanes(0.1f) * eps1;
+  real partial_p = pick(near, delta * (p1 * p1 * (eps1 + eps2) - eps1 * eps1), (a - b) * (a + b));
   out.r_p = complex_of(pick(out.total, total_p, partial_p) * inverse_p, lanes(-2) * a * b_decay * inverse_p);
   real flux = sqrt_of(p1 * p2);
   out.t_s = lanes(2) * flux * sum_s * inverse_s;

@@ -24,6 +24,7 @@ typedef struct {
 typedef struct {
   real depth_mm;
   vec3 normal;    // of what was met, turned forward: d.normal > 0
+  real offset;    // of a face: outward normal . p = offset in the coordinates of its cell
   lane_int key;
   lane_int face;  // index of the face met (exits and entries)
 } Hit;
@@ -43,6 +44,7 @@ FUNCTION void meet_exits(PRIVATE const SceneView* view, PRIVATE const Ray* ray, 
     mask nearer = ahead & (depth < hit->depth_mm);
     hit->depth_mm = pick(nearer, depth, hit->depth_mm);
     hit->normal = pick3(nearer, n, hit->normal);
+    hit->offset = pick(nearer, lanes(planes[i * FACE_REALS + 3]), hit->offset);
     hit->face = pick(nearer, lane_ints(first + i), hit->face);
   }
   if (count > 0) {
@@ -62,7 +64,7 @@ FUNCTION void meet_cell(PRIVATE const SceneView* view, PRIVATE const Ray* ray, i
   int first = cell_of(view, cell)[CELL_FIRST_FACE];
   int count = cell_of(view, cell)[CELL_FACE_COUNT];
   GLOBAL const scalar* planes = view->face_reals + first * FACE_REALS;
-  real in = -FAR_MM, out = FAR_MM;
+  real in = -FAR_MM, out = FAR_MM, offset = lanes(0);
   vec3 normal = ray->direction;
   lane_int face = lane_ints(first);
   for (int i = 0; i < count; ++i) {
@@ -76,12 +78,14 @@ FUNCTION void meet_cell(PRIVATE const SceneView* view, PRIVATE const Ray* ray, i
     mask later = entering & (depth > in);
     in = pick(later, depth, in);
     normal = pick3(later, n, normal);
+    offset = pick(later, lanes(planes[i * FACE_REALS + 3]), offset);
     face = pick(later, lane_ints(first + i), face);
     out = pick(not_mask(entering) & (depth < out), depth, out);
   }
   mask met = (in < out) & (in > lanes(0)) & (in < hit->depth_mm);
   hit->depth_mm = pick(met, in, hit->depth_mm);
   hit->normal = pick3(met, scale3(lanes(-1), normal), hit->normal);
+  hit->offset = pick(met, offset, hit->offset);
   hit->face = pick(met, face, hit->face);
   hit->key = pick(met, lane_ints(key_of_cell(cell)), hit->key);
 }
@@ -128,12 +132,18 @@ FUNCTION void meet_sheet(PRIVATE const SceneView* view, PRIVATE const Ray* ray, 
   hit->key = pick(met, lane_ints(key_of_sheet(view, sheet)), hit->key);
 }
 
-FUNCTION Hit next_hit(PRIVATE const SceneView* view, PRIVATE const Ray* ray) {
+FUNCTION Hit no_hit(PRIVATE const Ray* ray) {
   Hit hit;
   hit.depth_mm = FAR_MM;
   hit.normal = ray->direction;
+  hit.offset = lanes(0);
   hit.key = lane_ints(KEY_MISS);
   hit.face = lane_ints(0);
+  return hit;
+}
+
+FUNCTION Hit next_hit(PRIVATE const SceneView* view, PRIVATE const Ray* ray) {
+  Hit hit = no_hit(ray);
   GLOBAL const int* cell = cell_of(view, ray->cell);
   meet_exits(view, ray, &hit);
   if (ray->cell == 0 || has(nested_solids, view)) {

@@ -68,6 +68,13 @@ FUNCTION void go_to(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE E
   go_through(view, path, cell_of(view, path->ray.cell)[CELL_MEDIUM], hit->depth_mm, u);
 }
 
+// Takes out what rounding has left between the path and the face that it stands on, in coordinates of the face's cell: after a
+// long way the next one would be off by that much. `turn`: 1 if the normal is the face's own, -1 if it is turned.
+FUNCTION void put_on_face(PRIVATE Path* path, PRIVATE const Hit* hit, real turn) {
+  real left = turn * hit->offset - dot3(hit->normal, path->ray.position);
+  path->ray.position = along(left, hit->normal, path->ray.position);
+}
+
 // The cell beyond the face that the path meets.
 FUNCTION int cell_beyond(PRIVATE const SceneView* view, PRIVATE const Path* path, PRIVATE const Event* event) {
   if (event->behind == BEHIND_CELL_CONTACT) {
@@ -119,6 +126,7 @@ FUNCTION int through_face(PRIVATE const SceneView* view, PRIVATE Path* path, PRI
   path->pinned = -1;
   Path refracted = split(view, path, face, sum);
   change_cell(view, &refracted, target);
+  if (!exits) put_on_face(&refracted, &event->hit, lanes(-1));
   refracted.ray.from_cell = exits ? cell : -1;
   path->ray.from_cell = exits ? -1 : target;
   refracted.ray.from_sheet = path->ray.from_sheet = -1;
@@ -172,6 +180,7 @@ FUNCTION int through_crystal_face(PRIVATE const SceneView* view, PRIVATE Path* p
   back.pinned = back.ray.from_sheet = -1;
   Path through = back;
   change_cell(view, &through, target);
+  if (!exits) put_on_face(&through, &event->hit, lanes(-1));
   through.ray.from_cell = exits ? cell : -1;
   back.ray.from_cell = exits ? -1 : target;
   Children reflected, refracted, kept;
