@@ -118,6 +118,10 @@ TEST_CASE("single precision where digits are hardest to keep") {
   hold("topaz to air, 1e-7 to 1e-2 from critical", 4e-3, [&](Dice& d) {
     return Incidence{upright(topaz), air, any_unit(d), 1 + (d() < 0.5 ? 1 : -1) * any_distance(d, 1e-7, 1e-2)};
   });
+  // all angles, critical ones among them
+  const std::array<double, 3> strong{1.5, 1.9, 2.4};
+  hold("diamond to a crystal of 1.5, 1.9, 2.4", 1e-4, [&](Dice& d) { return Incidence{upright({2.42, 2.42, 2.42}), upright(strong), any_unit(d)}; });
+  hold("a crystal of 1.5, 1.9, 2.4 to air", 1e-4, [&](Dice& d) { return Incidence{upright(strong), air, any_unit(d), 1.45 * d()}; });
   hold("twin of topaz", 4e-4, [&](Dice& d) {
     const Vec3 c = any_unit(d);
     return Incidence{upright(topaz), material(topaz, across(c, d), c), any_unit(d)};
