@@ -36,7 +36,8 @@ FUNCTION void solve_four(cplx m[4][6], int count, cplx amplitude[2][4]) {
   for (int c = 0; c < 4; ++c) {
     bring_pivot(m, c, 4 + count);
     real size = norm2(m[c][c]);
-    inverse[c] = cscale(pick(size > lanes(0), lanes(1) / pick(size > lanes(0), size, lanes(1)), lanes(0)), conj_of(m[c][c]));
+    inverse[c] = cscale(pick(size > lanes(0), lanes(1) / pick(size > lanes(0), size, lanes(1)), lanes(0)),
+        conj_of(m[c][c]));
     for (int r = c + 1; r < 4; ++r) {
       cplx factor = cmul(m[r][c], inverse[c]);
       for (int k = c + 1; k < 4 + count; ++k) m[r][k] = csub(m[r][k], cmul(factor, m[c][k]));

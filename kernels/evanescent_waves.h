@@ -1,10 +1,12 @@
 // Evanescent waves of biaxial and of anisotropic active media: frozen-polarization quadratic with complex roots.
 //
-// The formulas of frozen_polarization.h are analytic in p: without conjugates, left eigenvectors in place of conjugated ones, they
-// hold for complex p. M is complex symmetric but for the gyration; d = (m11 - m22)/2, r^2 = d^2 + m12^2 + g^2, Re(r d*) >= 0:
+// The formulas of frozen_polarization.h are analytic in p: without conjugates, left eigenvectors in place of
+// conjugated ones, they hold for complex p. M is complex symmetric but for the gyration; d = (m11 - m22)/2, r^2 = d^2
+// + m12^2 + g^2, Re(r d*) >= 0:
 //   eigenvectors (d + r, m12 - i g) and (-(m12 + i g), d + r), weights w11 = (1 +- d/r)/2, rho = +- m12/(2 r)
 // From step to step the polarization is followed, not its label: sorted eigenvalues change sheets in 1 of 100 cases.
-// Each root is the one with Im p > 0. Source as in frozen_polarization.h. Test: tests/kernels/vectors_test.cpp, waves_test.cpp.
+// Each root is the one with Im p > 0. Source as in frozen_polarization.h. Test: tests/kernels/vectors_test.cpp,
+// waves_test.cpp.
 #ifndef NICOL_EVANESCENT_WAVES_H
 #define NICOL_EVANESCENT_WAVES_H
 #include "frozen_polarization.h"

@@ -1,13 +1,15 @@
 // Waves of biaxial and of anisotropic active media that run away from a face: frozen-polarization quadratic.
 //
-// Forward waves, wave vector (q, 0, p) in (t, u, N), kk^2 = q^2 + p^2, v = (q N - p t)/kk, so that (u, v, s) is right-handed.
-// a = n2bar eta - I (deviatoric), g = kk k.gq.k; D = e1 u + e2 v is an eigenvector of the section
+// Forward waves, wave vector (q, 0, p) in (t, u, N), kk^2 = q^2 + p^2, v = (q N - p t)/kk, so that (u, v, s) is
+// right-handed. a = n2bar eta - I (deviatoric), g = kk k.gq.k; D = e1 u + e2 v is an eigenvector of the section
 //   M(p) = [[m11, m12 + i g], [m12 - i g, m22]],  m11 = kk^2 a_uu,  m12 = kk (q a_uN - p a_ut),
 //   m22 = q^2 a_NN - 2 q p a_tN + p^2 a_tt,  p^2 - (n2bar - q^2) + lambda(p) = 0;  fast: larger lambda, slow: smaller.
-// With the polarization frozen, (p^2 - ...) + e*.M(p).e is A p^2 + 2 B p + C but for the slow kk: one step p = (sqrt(B^2 - A C) - B)/A.
-// It is Newton's method on the exact sheet (Hellmann-Feynman: dlambda/dp = e*.M'.e) that keeps the curvature, so it passes
-// the critical angle, and A p + B = sqrt(disc) > 0 makes the root forward by flux. Index ellipsoid: Born & Wolf,
-// Principles of Optics, 15.2; wave surface for a given tangential vector: Booker, Phil. Trans. R. Soc. A 237, 411 (1936).
+// With the polarization frozen, (p^2 - ...) + e*.M(p).e is A p^2 + 2 B p + C but for the slow kk: one step p =
+// (sqrt(B^2 - A C) - B)/A.
+// It is Newton's method on the exact sheet (Hellmann-Feynman: dlambda/dp = e*.M'.e) that keeps the curvature, so it
+// passes the critical angle, and A p + B = sqrt(disc) > 0 makes the root forward by flux. Index ellipsoid: Born & Wolf,
+// Principles of Optics, 15.2; wave surface for a given tangential vector: Booker, Phil. Trans. R. Soc. A 237, 411
+// (1936).
 // Two real roots closer than sqrt(epsilon) nbar are solved together, so that their fields stay flux-orthogonal:
 //   (F + F' (p - p0)) e = 0,  F = (p0^2 - ...) I + M(p0) Hermitian, F' = L L^H.
 // Activity to first order in zeta. Good for roots that settle (FPQ_SLACK); others: evanescent_waves.h, precise_waves.h.

@@ -1,8 +1,9 @@
 // Plane waves of biaxial and of anisotropic active media that leave a face, by the way that suits each lane:
 // frozen_polarization.h where both waves run, evanescent_waves.h where one does not, precise_waves.h in double for
-// what neither settles (of internal faces 1 in 1000 in minerals; total reflection in crystals of birefringence above 0.5 always).
-// Thresholds: residual and distance below which a complex root or a pair of them is not trusted in single precision, chosen
-// on random faces of 8 pairs of minerals and held on unused ones. Test: tests/kernels/vectors_test.cpp, waves_test.cpp.
+// what neither settles (fewer than 1 in 1000 internal faces of minerals; total reflection in crystals of birefringence above
+// 0.5 always).
+// Thresholds: residual and distance below which a complex root or a pair of them is not trusted in single precision.
+// Test: tests/kernels/vectors_test.cpp, waves_test.cpp; float against double where it is hardest: precision_test.cpp.
 #ifndef NICOL_GENERAL_WAVES_H
 #define NICOL_GENERAL_WAVES_H
 #include "evanescent_waves.h"
@@ -17,7 +18,8 @@
 // A wave on its way to fields: p and D = e1 u + e2 v.
 typedef struct { cplx p, e1, e2; } FaceWave;
 
-FUNCTION Mode fields_of_face_wave(PRIVATE const GeneralFace* f, PRIVATE const FaceTensor* z, PRIVATE const FaceWave* w, int complex_p) {
+FUNCTION Mode fields_of_face_wave(PRIVATE const GeneralFace* f, PRIVATE const FaceTensor* z,
+    PRIVATE const FaceWave* w, int complex_p) {
   cplx d[3], inverse = complex_of(lanes(1) / sqrt_of(f->q * f->q + w->p.re * w->p.re), lanes(0));
   if (complex_p) {
     cplx k2 = cmul(w->p, w->p);
@@ -50,12 +52,14 @@ FUNCTION mask take_evanescent(PRIVATE const GeneralFace* f, mask gone_fast, mask
     wave[j].e2 = cpick(gone, root.e2, wave[j].e2);
   }
   real distance2 = norm2(csub(wave[0].p, wave[1].p)), least = lanes(EVANESCENT_CLOSE) * f->n;
-  mask same = (distance2 < least * least) & (overlap(wave[0].e1, wave[0].e2, wave[1].e1, wave[1].e2) > lanes(EVANESCENT_ALIKE));
+  mask same = (distance2 < least * least) & (overlap(wave[0].e1, wave[0].e2, wave[1].e1,
+      wave[1].e2) > lanes(EVANESCENT_ALIKE));
   return doubtful | (both & same);
 }
 
 // One lane of face and medium in double: eps = n2bar (I + a)^-1.
-FUNCTION void precise_medium(PRIVATE const precise* a, PRIVATE const precise* zeta, precise eps, PRIVATE PreciseMedium* m) {
+FUNCTION void precise_medium(PRIVATE const precise* a, PRIVATE const precise* zeta, precise eps,
+    PRIVATE PreciseMedium* m) {
   const int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
   precise s[3][3];
   for (int i = 0; i < 6; ++i) {
@@ -110,7 +114,8 @@ FUNCTION void put_precise_wave(PRIVATE const PreciseWave* w, int lane, scalar ou
 }
 
 // Both waves anew, lane by lane, where `doubtful`.
-FUNCTION void take_precise(PRIVATE const GeneralFace* f, PRIVATE const FaceTensor* zeta, real eps, mask doubtful, PRIVATE WavePair* w) {
+FUNCTION void take_precise(PRIVATE const GeneralFace* f, PRIVATE const FaceTensor* zeta, real eps, mask doubtful,
+    PRIVATE WavePair* w) {
   scalar modes[2][MODE_SCALARS][LANES], given[15][LANES], wanted[LANES], gap[LANES];
   PRIVATE const FaceTensor* tensor[2];
   tensor[0] = &f->a;
@@ -148,7 +153,8 @@ FUNCTION void take_precise(PRIVATE const GeneralFace* f, PRIVATE const FaceTenso
   w->gap = load_lanes(gap);
 }
 
-FUNCTION WavePair general_waves(PRIVATE const WaveMedium* m, PRIVATE const FaceAxes* axes, real p2, int backward, mask live,
+FUNCTION WavePair general_waves(PRIVATE const WaveMedium* m, PRIVATE const FaceAxes* axes, real p2, int backward,
+    mask live,
                                 PRIVATE int* fallbacks) {
   GeneralFace f = general_face(m, axes, p2, backward);
   FaceTensor zeta = f.a;
@@ -174,7 +180,8 @@ FUNCTION WavePair general_waves(PRIVATE const WaveMedium* m, PRIVATE const FaceA
     wave[j].e2 = sheets[j].e2;
   }
   int some_gone = any_lane(gone);
-  if (some_gone) doubtful = doubtful | take_evanescent(&f, gone_fast, gone_slow, wave) | (gone & strongly_birefringent(&f.a));
+  if (some_gone) doubtful = doubtful | take_evanescent(&f, gone_fast, gone_slow,
+      wave) | (gone & strongly_birefringent(&f.a));
   // fields
   WavePair w;
   for (int j = 0; j < 2; ++j) w.mode[j] = fields_of_face_wave(&f, &zeta, &wave[j], some_gone);

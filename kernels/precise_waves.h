@@ -1,10 +1,10 @@
-// The four plane waves of any linear medium with a given tangential wave vector, one lane at a time: for the few lanes that
-// the fast ways cannot answer, and for absorbing crystals in the probe.
+// The four plane waves of any linear medium with a given tangential wave vector, one lane at a time: for the few
+// lanes that the fast ways cannot answer, and for absorbing crystals in the probe.
 //
 // p Psi = Delta Psi for Psi = (E_t, E_u, h_t, h_u), after E_N and h_N are eliminated from k x E = B, k x h = -D
 // (Berreman, J. Opt. Soc. Am. 62, 502 (1972)), D = eps E + i zeta h, B = h - i zeta E (Condon 1937); exact in zeta.
-// Lossless: J Delta is Hermitian for the flux Psi* J Psi/2, so two real forward roots have flux-orthogonal vectors, found
-// together. Forward: flux > 0 if p is real, else Im p > 0. Test: tests/kernels/vectors_test.cpp.
+// Lossless: J Delta is Hermitian for the flux Psi* J Psi/2, so two real forward roots have flux-orthogonal vectors,
+// found together. Forward: flux > 0 if p is real, else Im p > 0. Test: tests/kernels/vectors_test.cpp.
 #ifndef NICOL_PRECISE_WAVES_H
 #define NICOL_PRECISE_WAVES_H
 #include "precise_math.h"
@@ -137,8 +137,8 @@ FUNCTION precise forward_score(pcplx p, const pcplx psi[4], precise size, int lo
   return lossless ? (p.im > 0 ? 10 : -10) : p.im;
 }
 
-// Waves 0, 1 forward, 2, 3 backward; of two running waves the one with the smaller Re p first, an evanescent wave before
-// a running one. Complex q: lossless must be 0; waves are told apart by Im p, good for real q.
+// Waves 0, 1 forward, 2, 3 backward; of two running waves the one with the smaller Re p first, an evanescent wave
+// before a running one. Complex q: lossless must be 0; waves are told apart by Im p, good for real q.
 FUNCTION void precise_waves(PRIVATE const PreciseMedium* m, pcplx q, int lossless, PreciseWave wave[4]) {
   Berreman b;
   berreman_matrix(m, q, &b);

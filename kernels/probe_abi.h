@@ -1,5 +1,6 @@
 // Layout of `probe`: one problem and its answer, as scalars. Complex numbers are re, im.
-// Directions: N from medium 1 to medium 2, time factor exp(-i w t), k in units of k0, h = Z0 H. Tensors: xx yy zz yz zx xy.
+// Directions: N from medium 1 to medium 2, time factor exp(-i w t), k in units of k0, h = Z0 H. Tensors: xx yy zz yz
+// zx xy.
 #ifndef NICOL_PROBE_ABI_H
 #define NICOL_PROBE_ABI_H
 
@@ -22,10 +23,13 @@ enum {
 
   // problem
   PROBE_TASK = 0,
-  PROBE_KNOWN,                                      // wave of medium 1 that comes in: 0, 1, 2 both (isotropic), -1 unknown
+  // wave of medium 1 that comes in: 0, 1, 2 both (isotropic), -1 unknown
+  PROBE_KNOWN,
   PROBE_NORMAL,                                     // 3; bulk, propagation: the wave normal
-  PROBE_K = PROBE_NORMAL + 3,                       // incident wave vector, 3 complex; propagation: x axis of D in the first 3
-  PROBE_E = PROBE_K + 6,                            // incident fields, 3 complex each; propagation: D_in (2 complex), d/lambda
+  // incident wave vector, 3 complex; propagation: x axis of D in the first 3
+  PROBE_K = PROBE_NORMAL + 3,
+  // incident fields, 3 complex each; propagation: D_in (2 complex), d/lambda
+  PROBE_E = PROBE_K + 6,
   PROBE_H = PROBE_E + 6,
   PROBE_BRACKET1 = PROBE_H + 6,                     // eps of the medium (PROBE_MEDIUM_EPS) - |k|^2, complex
   PROBE_BRACKET2 = PROBE_BRACKET1 + 2,

@@ -1,6 +1,6 @@
-// `probe`: faces and bulk of absorbing crystals, exact: the eigenproblem of precise_waves.h with complex eps. Where the incident
-// medium absorbs, q is complex, and which waves run away is settled at Re q and followed from there: neither the sign of Im p
-// nor that of Re p tells (a wave that runs on in a transparent medium 2 has Im p < 0 then).
+// `probe`: faces and bulk of absorbing crystals, exact: the eigenproblem of precise_waves.h with complex eps. Where
+// the incident medium absorbs, q is complex, and which waves run away is settled at Re q and followed from there:
+// neither the sign of Im p nor that of Re p tells (a wave that runs on in a transparent medium 2 has Im p < 0 then).
 #ifndef NICOL_PROBE_ABSORBING_H
 #define NICOL_PROBE_ABSORBING_H
 #include "probe_face.h"
@@ -40,7 +40,8 @@ FUNCTION PreciseMedium read_precise(GLOBAL const scalar* in, PRIVATE const FaceA
   return m;
 }
 
-// The four waves with complex q, in the order of those with its real part: of all 24 ways the one with the least change of p.
+// The four waves with complex q, in the order of those with its real part: of all 24 ways the one with the least
+// change of p.
 FUNCTION void followed_waves(PRIVATE const PreciseMedium* m, pcplx q, int lossless, PreciseWave wave[4]) {
   if (q.im == 0) {
     precise_waves(m, q, lossless, wave);
@@ -78,15 +79,16 @@ FUNCTION Mode rounded_mode(PRIVATE const PreciseWave* w) {
   return m;
 }
 
-// Isotropic and uniaxial media in closed form (uniaxial.h with complex eps): it keeps the digits of p at grazing, as a wave of
-// known root. transparent: p_o^2 for real q and real indices, whose continuation the branch is.
+// Isotropic and uniaxial media in closed form (uniaxial.h with complex eps): it keeps the digits of p at grazing, as
+// a wave of known root. transparent: p_o^2 for real q and real indices, whose continuation the branch is.
 typedef struct {
   cplx eps_o, eps_e, q, p1, p2_o;
   real transparent, n_o2, n_e2;
   vec3 axis;
 } AbsorbingUniaxial;
 
-FUNCTION AbsorbingUniaxial read_uniaxial(GLOBAL const scalar* problem, GLOBAL const scalar* in, cplx bracket, PRIVATE const FaceProblem* f) {
+FUNCTION AbsorbingUniaxial read_uniaxial(GLOBAL const scalar* problem, GLOBAL const scalar* in, cplx bracket,
+    PRIVATE const FaceProblem* f) {
   AbsorbingUniaxial m;
   int isotropic = in[PROBE_MEDIUM_KIND] == WAVES_ISOTROPIC;
   cplx n_o = read_complex(in + PROBE_MEDIUM_INDEX), n_e = read_complex(in + (isotropic ? PROBE_MEDIUM_INDEX : PROBE_MEDIUM_INDEX_E));
@@ -136,9 +138,11 @@ FUNCTION Mode absorbing_mode(PRIVATE const AbsorbingUniaxial* m, cplx p, real ct
 }
 
 // The two waves to +N or back, in (t, u, N). known: see waves.h; the incident wave's own root is -p1 or its partner.
-FUNCTION void absorbing_uniaxial_waves(PRIVATE const AbsorbingUniaxial* m, PRIVATE const FaceAxes* f, int backward, int known, PRIVATE Mode* out) {
+FUNCTION void absorbing_uniaxial_waves(PRIVATE const AbsorbingUniaxial* m, PRIVATE const FaceAxes* f, int backward,
+    int known, PRIVATE Mode* out) {
   real turn = lanes(backward ? -1 : 1);
-  real ct = dot3(m->axis, f->t), cu = turn * dot3(m->axis, f->u), cn = turn * dot3(m->axis, f->n), cn2 = cn * cn, cu2 = cu * cu;
+  real ct = dot3(m->axis, f->t), cu = turn * dot3(m->axis, f->u), cn = turn * dot3(m->axis, f->n), cn2 = cn * cn,
+      cu2 = cu * cu;
   cplx d_eps = csub(m->eps_e, m->eps_o), p_o = forward_root(m->p2_o, m->transparent <= lanes(0));
   cplx a = cadd(m->eps_o, cscale(cn2, d_eps)), b = cscale(cn * ct, cmul(d_eps, m->q));
   cplx rest = cmul(d_eps, cadd(cscale(cn2, m->eps_e), cscale(cu2, m->eps_o)));
@@ -211,7 +215,8 @@ FUNCTION void solve_absorbing(GLOBAL const scalar* problem, GLOBAL scalar* answe
       PRIVATE Mode* w = &waves[2 * i + j];
       *w = side[i][j];
       scale_mode(w, amplitude[0][i == 0 ? 2 + j : j]);
-      power[2 * i + j] = pick(w->p.im != lanes(0) && q[1] == 0 && problem[(i == 0 ? PROBE_MEDIUM1 : PROBE_MEDIUM2) + PROBE_MEDIUM_ABSORBS] == 0,
+      power[2 * i + j] = pick(w->p.im != lanes(0) && q[1] == 0 && problem[(i == 0 ? PROBE_MEDIUM1 : PROBE_MEDIUM2) +
+          PROBE_MEDIUM_ABSORBS] == 0,
                               lanes(0), lanes(i == 0 ? -1 : 1) * flux_of(w->e, w->h) / incident);
       for (int c = 0; c < 3; ++c) {
         sum.e[c] = cadd(sum.e[c], w->e[c]);

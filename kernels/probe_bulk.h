@@ -1,5 +1,5 @@
-// `probe` (one lane): the two waves with a given wave normal, and a field carried along it. Transparent media by section.h, which
-// launches rays; absorbing ones exactly (precise_waves.h at q = 0).
+// `probe` (one lane): the two waves with a given wave normal, and a field carried along it. Transparent media by
+// section.h, which launches rays; absorbing ones exactly (precise_waves.h at q = 0).
 #ifndef NICOL_PROBE_BULK_H
 #define NICOL_PROBE_BULK_H
 #include "optical_rotation.h"

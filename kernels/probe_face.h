@@ -129,7 +129,8 @@ FUNCTION void solve_isotropic(GLOBAL const scalar* problem, GLOBAL scalar* answe
   cplx n1 = read_complex(problem + PROBE_MEDIUM1 + PROBE_MEDIUM_INDEX);
   cplx n2 = read_complex(problem + PROBE_MEDIUM2 + PROBE_MEDIUM_INDEX);
   cplx delta = read_complex(problem + PROBE_BRACKET2);
-  int absorbs = problem[PROBE_MEDIUM1 + PROBE_MEDIUM_ABSORBS] != 0 || problem[PROBE_MEDIUM2 + PROBE_MEDIUM_ABSORBS] != 0;
+  int absorbs = problem[PROBE_MEDIUM1 + PROBE_MEDIUM_ABSORBS] != 0 || problem[PROBE_MEDIUM2 +
+      PROBE_MEDIUM_ABSORBS] != 0;
   cplx r_s, r_p, p2;
   real t_power_s = lanes(0), t_power_p = lanes(0);
   if (absorbs) {
@@ -182,9 +183,12 @@ FUNCTION void solve_transparent(GLOBAL const scalar* problem, GLOBAL scalar* ans
   real p1 = f->p1.re;
   int known = (int)problem[PROBE_KNOWN], fallbacks = 0;
   mask live = p1 == p1;
-  real known_p = known == 1 && medium1.kind == WAVES_UNIAXIAL ? reflected_extraordinary_root(&medium1, &f->axes, p1) : -p1;
-  WavePair reflected = waves_of_face(&medium1, &f->axes, fma_of(p1, p1, lanes(problem[PROBE_BRACKET1])), 1, known, known_p, live, &fallbacks);
-  WavePair transmitted = waves_of_face(&medium2, &f->axes, fma_of(p1, p1, lanes(problem[PROBE_BRACKET2])), 0, -1, p1, live, &fallbacks);
+  real known_p = known == 1 && medium1.kind == WAVES_UNIAXIAL ? reflected_extraordinary_root(&medium1, &f->axes,
+      p1) : -p1;
+  WavePair reflected = waves_of_face(&medium1, &f->axes, fma_of(p1, p1, lanes(problem[PROBE_BRACKET1])), 1, known,
+      known_p, live, &fallbacks);
+  WavePair transmitted = waves_of_face(&medium2, &f->axes, fma_of(p1, p1, lanes(problem[PROBE_BRACKET2])), 0, -1, p1,
+      live, &fallbacks);
   cplx amplitude[2][4];
   match_fields(&f->incident, 1, transmitted.mode, reflected.mode, amplitude);
   FaceAmplitudes shared = share_powers(&f->incident, 1, &reflected, &transmitted, amplitude);

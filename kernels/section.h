@@ -1,7 +1,8 @@
 // Plane waves with a given wave normal s in the bulk: the section of the index ellipsoid across s.
 //
 // D = e1 a + e2 b in the plane across s, impermeability section of (n2bar eta - I) with the gyration as its
-// imaginary part (Born & Wolf, Principles of Optics, 7th ed., 15.2; Landau & Lifshitz, Electrodynamics of Continuous Media, 101):
+// imaginary part (Born & Wolf, Principles of Optics, 7th ed., 15.2; Landau & Lifshitz, Electrodynamics of Continuous
+// Media, 101):
 //   Lam = [[aa, ab + i g], [ab - i g, bb]],  Lam e = lambda e,  n = nbar/sqrt(1 + lambda),  g = n s.gq.s
 //   n_slow - n_fast = 2 r (n_f n_s)^2/(n2bar (n_f + n_s)),  2 r = lambda_fast - lambda_slow
 // g is first order in zeta: n is good to 2e-9 for quartz. Uniaxial and chiral media: closed form.
@@ -11,15 +12,16 @@
 #define NICOL_SECTION_H
 #include "wave_medium.h"
 
-// D orthonormal, complex, world; 0 fast, ordinary or right circular. Where active: -k x (k x E), which is D but for terms of
-// order zeta, and orthogonal but for such terms.
+// D orthonormal, complex, world; 0 fast, ordinary or right circular. Where active: -k x (k x E), which is D but for
+// terms of order zeta, and orthogonal but for such terms.
 typedef struct {
   vec3 d_re[2], d_im[2];
   real n[2];
   real gap;  // n[1] - n[0]
 } SectionWaves;
 
-// Eigenvectors of [[m11, b], [b*, m22]], orthonormal: (plus1, plus2), (-plus2*, plus1*); plus has the larger eigenvalue.
+// Eigenvectors of [[m11, b], [b*, m22]], orthonormal: (plus1, plus2), (-plus2*, plus1*); plus has the larger
+// eigenvalue.
 typedef struct {
   cplx plus1, plus2;
   real mean, radius;
@@ -117,7 +119,8 @@ FUNCTION vec3 impermeability(PRIVATE const WaveMedium* m, vec3 v) {
 }
 
 // E and h, world, of the wave with real wave vector k (world) and D = d_re + i d_im.
-FUNCTION void fields_of_wave(PRIVATE const WaveMedium* m, vec3 k, vec3 d_re, vec3 d_im, PRIVATE cvec3* e, PRIVATE cvec3* h) {
+FUNCTION void fields_of_wave(PRIVATE const WaveMedium* m, vec3 k, vec3 d_re, vec3 d_im, PRIVATE cvec3* e,
+    PRIVATE cvec3* h) {
   if (m->kind == WAVES_ISOTROPIC) {
     e->re = scale3(lanes(1) / m->eps, d_re);
     e->im = scale3(lanes(1) / m->eps, d_im);
@@ -150,7 +153,8 @@ FUNCTION void fields_of_wave(PRIVATE const WaveMedium* m, vec3 k, vec3 d_re, vec
   }
 }
 
-// m.eps - |k|^2 of the wave with real wave vector k and unit D, without subtracting squares: |k|^2 lambda, lambda = D*.Lam.D.
+// m.eps - |k|^2 of the wave with real wave vector k and unit D, without subtracting squares: |k|^2 lambda, lambda =
+// D*.Lam.D.
 // With p1 = k.N: m.eps - q^2 = p1^2 + this.
 FUNCTION real bracket_of_wave(PRIVATE const WaveMedium* m, vec3 k, vec3 d_re, vec3 d_im) {
   if (m->kind == WAVES_ISOTROPIC) return lanes(0);

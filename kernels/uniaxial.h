@@ -3,7 +3,8 @@
 // Forward waves, wave vector (q, 0, p) in (t, u, N). Isotropic: p^2 = n^2 - q^2. Chiral: p^2 = (n -+ kappa)^2 - q^2.
 // Uniaxial, axis c, De = eps_e - eps_o (Yariv & Yeh, Optical Waves in Crystals, 1984, ch. 4):
 //   p_o^2 = eps_o - q^2;  A p^2 + 2 B p + C = 0,  A = eps_o + De c_N^2,  B = De c_N c_t q,  p_e = (sqrt(disc) - B)/A,
-//   disc = B^2 - A C = eps_o [De (eps_e c_N^2 + eps_o c_u^2) + p_o^2 (eps_e - De c_u^2)]     (eps_o - q^2 = p_o^2 put in)
+//   disc = B^2 - A C = eps_o [De (eps_e c_N^2 + eps_o c_u^2) + p_o^2 (eps_e - De c_u^2)]     (eps_o - q^2 = p_o^2 put
+//   in)
 //   o: E = w, h = k x w;  e: h = w, D = -k x w, E = D/eps_o + (1/eps_e - 1/eps_o)(c.D) c;  w = k x c / |k x c|, own k
 //   p_e - p_o = De |k_e x c|^2 / (eps_e (p_e + p_o))
 // p^2 < 0: evanescent, p = i sqrt. p_o^2 comes in, without cancellation. Valid for any birefringence, lossless.
@@ -19,7 +20,8 @@ FUNCTION cplx root_of_real(real squared) {
   return complex_of(pick(runs, root, lanes(0)), pick(runs, lanes(0), root));
 }
 
-FUNCTION WavePair isotropic_waves(PRIVATE const WaveMedium* m, PRIVATE const FaceAxes* f, real p2, int backward, int known,
+FUNCTION WavePair isotropic_waves(PRIVATE const WaveMedium* m, PRIVATE const FaceAxes* f, real p2, int backward,
+    int known,
                                   real known_p) {
   cplx p = root_of_real(p2);
   if (backward) p = complex_of(-p.re, -p.im);
@@ -82,7 +84,8 @@ FUNCTION Mode ordinary_mode(real q, cplx p, PRIVATE const Across* a, real eps_o)
   return m;
 }
 
-FUNCTION Mode extraordinary_mode(real q, cplx p, PRIVATE const Across* a, real ct, real cu, real cn, real eps_o, real d_eta) {
+FUNCTION Mode extraordinary_mode(real q, cplx p, PRIVATE const Across* a, real ct, real cu, real cn, real eps_o,
+    real d_eta) {
   Mode m;
   m.p = p;
   cplx k2 = cmul(p, p);
@@ -107,7 +110,8 @@ FUNCTION real reflected_extraordinary_root(PRIVATE const WaveMedium* m, PRIVATE 
   return -lanes(2) * m->d_eps * cn * ct * f->q / (m->eps + m->d_eps * cn * cn) - p1;
 }
 
-FUNCTION WavePair uniaxial_waves(PRIVATE const WaveMedium* m, PRIVATE const FaceAxes* f, real p2_o, int backward, int known,
+FUNCTION WavePair uniaxial_waves(PRIVATE const WaveMedium* m, PRIVATE const FaceAxes* f, real p2_o, int backward,
+    int known,
                                  real known_p) {
   real turn = lanes(backward ? -1 : 1), q = f->q;
   real ct = dot3(m->axis, f->t), cu = turn * dot3(m->axis, f->u), cn = turn * dot3(m->axis, f->n);

@@ -7,7 +7,8 @@
 
 typedef struct {
   int kind, active;
-  real n, eps;               // isotropic, chiral: n and n^2; uniaxial: n_o and n_o^2; general: n2bar = 3/tr(eta) and its root
+  // isotropic, chiral: n and n^2; uniaxial: n_o and n_o^2; general: n2bar = 3/tr(eta) and its root
+  real n, eps;
   vec3 axis;                 // uniaxial: optic axis, world, unit
   real eps_e, d_eps, d_eta;  // uniaxial: n_e^2, n_e^2 - n_o^2, 1/n_e^2 - 1/n_o^2
   // general, world axes, order xx yy zz yz zx xy: n2bar eta - I; n2bar det(eta) sym(eps (tr zeta - zeta)); zeta.
@@ -36,7 +37,8 @@ FUNCTION vec3 any_across(vec3 s) {
   return vec(lanes(1) + sign * s.x * s.x * a, sign * s.x * s.y * a, -sign * s.x);
 }
 
-// Axes of a face for the real wave vector k: a basis of n turned, never k - (k.n) n made unit, which fails at normal incidence.
+// Axes of a face for the real wave vector k: a basis of n turned, never k - (k.n) n made unit, which fails at normal
+// incidence.
 FUNCTION FaceAxes axes_of_face(vec3 n, vec3 k) {
   vec3 t0 = any_across(n), u0 = cross3(n, t0);
   real a = dot3(k, t0), b = dot3(k, u0);

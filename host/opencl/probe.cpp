@@ -142,7 +142,8 @@ json bulk_answer(const ProbeProblem& problem, const double* answer) {
                      {"ray", ray},
                      {"degenerate", gap < degenerate_gap},
                      {"alpha_ray_over_k0", absorbed_along_ray(wave, problem.media[0])},
-                     {"cos_walkoff", s[0] * ray[0].get<double>() + s[1] * ray[1].get<double>() + s[2] * ray[2].get<double>()}});
+                     {"cos_walkoff", s[0] * ray[0].get<double>() + s[1] * ray[1].get<double>() +
+                         s[2] * ray[2].get<double>()}});
   }
   return {{"id", problem.id}, {"modes", modes}};
 }

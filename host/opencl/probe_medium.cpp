@@ -52,7 +52,8 @@ int kind_of(const ProbeMedium& m, std::size_t& optic_axis) {
 }
 
 // sum of value_i axis_i axis_i^T, order xx yy zz yz zx xy, every `stride`-th scalar.
-void put_tensor(std::vector<double>& s, std::size_t at, const Vector& value, const ProbeMedium& m, std::size_t stride = 1) {
+void put_tensor(std::vector<double>& s, std::size_t at, const Vector& value, const ProbeMedium& m,
+    std::size_t stride = 1) {
   constexpr std::array<std::array<std::size_t, 2>, 6> place = {{{0, 0}, {1, 1}, {2, 2}, {1, 2}, {2, 0}, {0, 1}}};
   for (std::size_t c = 0; c < 6; ++c)
     for (std::size_t i = 0; i < 3; ++i) s[at + c * stride] += value[i] * m.axes[i][place[c][0]] * m.axes[i][place[c][1]];

@@ -152,7 +152,8 @@ ProbeProblem read_propagation(const json& value, std::size_t position) {
   std::vector<double>& s = problem.scalars;
   s[PROBE_TASK] = PROBE_PROPAGATION;
   for (std::size_t i = 0; i < 3; ++i) s[PROBE_K + i] = x[i];
-  for (std::size_t i = 0; i < 2; ++i) put(s, static_cast<int>(PROBE_D_IN + 2 * i), in.member("D_in").element(i, 2, "complex numbers").complex());
+  for (std::size_t i = 0; i < 2; ++i) put(s, static_cast<int>(PROBE_D_IN + 2 * i), in.member("D_in").element(i, 2,
+      "complex numbers").complex());
   s[PROBE_DEPTH] = in.member("d_m").number() / lambda;
   return problem;
 }

@@ -90,7 +90,8 @@ std::string Judged::text() const {
 Judged judge_face(const Json& face, const Kernels& kernels, Precision precision) {
   const ProbeProblem problem = read_face(face, 0);
   const std::vector<double> answer = kernels.solve(problem.scalars);
-  const double kappa = std::max(strength(problem.media[0]), strength(problem.media[1])), first_order = 4 * kappa * kappa;
+  const double kappa = std::max(strength(problem.media[0]), strength(problem.media[1])),
+      first_order = 4 * kappa * kappa;
   const bool absorbs = problem.media[0].absorbs || problem.media[1].absorbs;
   const double slack = absorbs ? 0 : first_order;
   const Json &sens = face["sens"], &totals = face["totals"];
@@ -105,7 +106,8 @@ Judged judge_face(const Json& face, const Kernels& kernels, Precision precision)
   for (int side = 0; side < 2; ++side) {
     const Json waves[2] = {face["waves"][2 * side], face["waves"][2 * side + 1]};
     const auto at = [&](int mine) { return (2 * side + mine) * ANSWER_WAVE_SCALARS; };
-    const auto k_error = [&](int mine, int theirs) { return distance(field_at(answer, at(mine) + ANSWER_WAVE_K), field_in(waves[theirs]["k"])); };
+    const auto k_error = [&](int mine, int theirs) { return distance(field_at(answer, at(mine) + ANSWER_WAVE_K),
+        field_in(waves[theirs]["k"])); };
     const double straight = worse(k_error(0, 0), k_error(1, 1)), crossed = worse(k_error(0, 1), k_error(1, 0));
     const std::string name = side == 0 ? "reflected " : "transmitted ";
     out.add(name + "k", std::min(straight, crossed), allowed("k"));
@@ -119,7 +121,8 @@ Judged judge_face(const Json& face, const Kernels& kernels, Precision precision)
       const double blur = 20 * (precision.epsilon + slack) * n2 / gap;
       if (!(blur < 0.1)) continue;
       const Json& theirs = waves[straight <= crossed ? mine : 1 - mine];
-      out.add(name + "power", std::fabs(answer[at(mine) + ANSWER_WAVE_POWER] - theirs["power"].get<double>()), allowed("total_power") + blur);
+      out.add(name + "power", std::fabs(answer[at(mine) + ANSWER_WAVE_POWER] - theirs["power"].get<double>()),
+          allowed("total_power") + blur);
       out.add(name + "E", distance(e, field_in(theirs["E"])), allowed("field") + blur * length(field_in(theirs["E"])));
       if (theirs["type"] == "propagating" && theirs["power"].get<double>() > 1e-9)
         out.add(name + "ray", ray_error(e, h, theirs["ray"]), allowed("k") + blur);
@@ -134,7 +137,8 @@ Judged judge_bulk(const Json& bulk, const Kernels& kernels, Precision precision)
   const auto index = [&](int j) { return complex_in(bulk["modes"][j]["n"]); };
   const double kappa = problem.media[0].absorbs ? 0 : strength(problem.media[0]), gap = std::abs(index(0) - index(1));
   Judged out;
-  const auto n_error = [&](int mine, int theirs) { return std::abs(complex_at(answer, mine * BULK_SCALARS + BULK_N) - index(theirs)); };
+  const auto n_error = [&](int mine, int theirs) { return std::abs(complex_at(answer,
+      mine * BULK_SCALARS + BULK_N) - index(theirs)); };
   const double straight = worse(n_error(0, 0), n_error(1, 1)), crossed = worse(n_error(0, 1), n_error(1, 0));
   out.add("n", std::min(straight, crossed), precision.floor + 4 * kappa * kappa);
   const double blur = 20 * (precision.epsilon + kappa * kappa) / gap;

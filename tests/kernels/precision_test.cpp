@@ -1,5 +1,5 @@
-// Faces in single against double precision where digits are hardest to keep. Both get the same input, rounded to float; 99.9 of 100
-// faces stay within the budget of their stratum.
+// Faces in single against double precision where digits are hardest to keep. Both get the same input, rounded to
+// float; 99.9 of 100 faces stay within the budget of their stratum.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -37,7 +37,8 @@ json material(const std::array<double, 3>& n, const Vec3& a, const Vec3& c, doub
 }
 json upright(const std::array<double, 3>& n, double zeta = 0) { return material(n, {1, 0, 0}, {0, 0, 1}, zeta); }
 
-json complex3(const std::vector<double>& v, std::size_t at) { return {{v[at], v[at + 1]}, {v[at + 2], v[at + 3]}, {v[at + 4], v[at + 5]}}; }
+json complex3(const std::vector<double>& v, std::size_t at) { return {{v[at], v[at + 1]}, {v[at + 2], v[at + 3]},
+    {v[at + 4], v[at + 5]}}; }
 
 struct Incidence {
   json one, two;
@@ -110,18 +111,24 @@ Vec3 near_binormal(const std::array<double, 3>& n, double angle, Dice& dice) {
 TEST_CASE("single precision where digits are hardest to keep") {
   const json air = upright({1, 1, 1});
   hold("air to aragonite", 1e-6, [&](Dice& d) { return Incidence{air, upright(aragonite), any_unit(d)}; });
-  hold("air to weak biaxial", 1e-6, [&](Dice& d) { return Incidence{air, upright({1.55, 1.5500003, 1.550001}), any_unit(d)}; });
+  hold("air to weak biaxial", 1e-6, [&](Dice& d) { return Incidence{air, upright({1.55, 1.5500003, 1.550001}),
+      any_unit(d)}; });
   hold("aragonite to air", 1e-5, [&](Dice& d) { return Incidence{upright(aragonite), air, any_unit(d), 0.98 * d()}; });
-  hold("aragonite to air, total", 1e-5, [&](Dice& d) { return Incidence{upright(aragonite), air, any_unit(d), 1.02 + 0.45 * d()}; });
-  hold("active quartz to air", 1e-5, [&](Dice& d) { return Incidence{upright(quartz, 3.552e-5), air, any_unit(d), 0.98 * d()}; });
-  // p2^2 = p1^2 + bracket, the bracket known to 2^-24: p2 to 3e-4 at the critical angle, E_t of p light to ten times that
+  hold("aragonite to air, total", 1e-5, [&](Dice& d) { return Incidence{upright(aragonite), air, any_unit(d),
+      1.02 + 0.45 * d()}; });
+  hold("active quartz to air", 1e-5, [&](Dice& d) { return Incidence{upright(quartz, 3.552e-5), air, any_unit(d),
+      0.98 * d()}; });
+  // p2^2 = p1^2 + bracket, the bracket known to 2^-24: p2 to 3e-4 at the critical angle, E_t of p light to ten times
+  // that
   hold("topaz to air, 1e-7 to 1e-2 from critical", 4e-3, [&](Dice& d) {
     return Incidence{upright(topaz), air, any_unit(d), 1 + (d() < 0.5 ? 1 : -1) * any_distance(d, 1e-7, 1e-2)};
   });
   // all angles, critical ones among them
   const std::array<double, 3> strong{1.5, 1.9, 2.4};
-  hold("diamond to a crystal of 1.5, 1.9, 2.4", 1e-4, [&](Dice& d) { return Incidence{upright({2.42, 2.42, 2.42}), upright(strong), any_unit(d)}; });
-  hold("a crystal of 1.5, 1.9, 2.4 to air", 1e-4, [&](Dice& d) { return Incidence{upright(strong), air, any_unit(d), 1.45 * d()}; });
+  hold("diamond to a crystal of 1.5, 1.9, 2.4", 1e-4, [&](Dice& d) { return Incidence{upright({2.42, 2.42, 2.42}),
+      upright(strong), any_unit(d)}; });
+  hold("a crystal of 1.5, 1.9, 2.4 to air", 1e-4, [&](Dice& d) { return Incidence{upright(strong), air, any_unit(d),
+      1.45 * d()}; });
   hold("twin of topaz", 4e-4, [&](Dice& d) {
     const Vec3 c = any_unit(d);
     return Incidence{upright(topaz), material(topaz, across(c, d), c), any_unit(d)};

@@ -14,7 +14,8 @@ Vec3 dice_direction(Dice& dice) {
 }  // namespace
 
 std::vector<double> medium_with(const std::array<double, 3>& n, const std::array<double, 3>& zeta, Dice& dice) {
-  const Vec3 c = dice_direction(dice), other = dice_direction(dice), a = unit(plus(other, scaled(-dot(other, c), c))), b = cross(c, a);
+  const Vec3 c = dice_direction(dice), other = dice_direction(dice), a = unit(plus(other, scaled(-dot(other, c), c))),
+      b = cross(c, a);
   const nlohmann::json medium = {{"cls", "any"},
                                  {"n_principal", n},
                                  {"k_principal", {0, 0, 0}},

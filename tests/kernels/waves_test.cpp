@@ -1,4 +1,5 @@
-// Waves at faces between transparent media of all classes: energy, reciprocity, limits, lanes, single against double precision.
+// Waves at faces between transparent media of all classes: energy, reciprocity, limits, lanes, single against double
+// precision.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace {
 constexpr std::size_t group = 8;  // neighbours of the same classes
 
 // Groups of eight faces of every pair of classes; the faces of a group share their media.
-std::vector<WaveCase> faces_of_all_pairs(std::size_t groups_each, double least_birefringence, double most_birefringence, double kappa,
+std::vector<WaveCase> faces_of_all_pairs(std::size_t groups_each, double least_birefringence,
+    double most_birefringence, double kappa,
                                          unsigned seed) {
   std::vector<WaveCase> faces;
   Dice dice{seed};
@@ -61,7 +63,8 @@ TEST_CASE("R + T = 1 as solved, at a million faces between media of all classes"
   MESSAGE(held << " faces: " << worst << ", active crystals " << worst_active << "; waves by the precise way: " << fallbacks);
   CHECK(held > 1000000);
   CHECK(worst < 1e-12);
-  CHECK(worst_active < 3e-3);  // first order in zeta = 1e-4, but for the critical angle and waves of the precise way, which are exact
+  // first order in zeta = 1e-4, but for the critical angle and waves of the precise way, which are exact
+  CHECK(worst_active < 3e-3);
   CHECK(worst_sum < 1e-14);
 }
 
@@ -88,7 +91,8 @@ TEST_CASE("the way back through a face is as good as the way there") {
   for (const Optics first : optics)
     for (const Optics second : optics)
       for (int trial = 0; trial < 300; ++trial) {
-        const std::vector<double> one = random_medium(first, 0.1, 5e-3, dice), two = random_medium(second, 0.1, 5e-3, dice);
+        const std::vector<double> one = random_medium(first, 0.1, 5e-3, dice), two = random_medium(second, 0.1, 5e-3,
+            dice);
         const WaveCase there = random_face(one, two, trial % 2, dice);
         const WaveAnswer forth = double1.waves({there})[0];
         if (!(forth.cos_ray > 0.05)) continue;
@@ -123,8 +127,10 @@ TEST_CASE("as birefringence vanishes, a crystal becomes glass") {
           const double d = std::pow(10.0, -digits);
           double worst = 0;
           for (int trial = 0; trial < 40; ++trial) {
-            const std::vector<double> air = medium_with({1, 1, 1}, {0, 0, 0}, dice), glass = medium_with({1.6, 1.6, 1.6}, {0, 0, 0}, dice);
-            const std::vector<double> crystal = medium_with({1.6 + d, 1.6 + (biaxial ? 0.3 * d : d), 1.6 - d}, {0, 0, 0}, dice);
+            const std::vector<double> air = medium_with({1, 1, 1}, {0, 0, 0}, dice), glass = medium_with({1.6, 1.6,
+                1.6}, {0, 0, 0}, dice);
+            const std::vector<double> crystal = medium_with({1.6 + d, 1.6 + (biaxial ? 0.3 * d : d), 1.6 - d}, {0, 0,
+                0}, dice);
             std::vector<WaveCase> with(group, random_face(leaves ? crystal : air, leaves ? air : crystal, 0, dice));
             const WaveAnswer a = kernels->waves(with)[0];
             if (!(a.cos_ray > 0.05) || (leaves && std::fabs(a.p[2].real() + a.p[2].imag()) < 0.2)) continue;
@@ -133,7 +139,8 @@ TEST_CASE("as birefringence vanishes, a crystal becomes glass") {
             const Vec3 u = unit(cross(with[0].normal, with[0].s));
             const Complex along_u = a.incident_d[0] * u.x + a.incident_d[1] * u.y + a.incident_d[2] * u.z;
             share_s = std::norm(along_u);
-            const double n1 = leaves ? 1.6 : 1, n2 = leaves ? 1 : 1.6, p1 = n1 * dot(with[0].normal, with[0].s), p2s = p1 * p1 + n2 * n2 - n1 * n1;
+            const double n1 = leaves ? 1.6 : 1, n2 = leaves ? 1 : 1.6, p1 = n1 * dot(with[0].normal, with[0].s),
+                p2s = p1 * p1 + n2 * n2 - n1 * n1;
             const double p2 = p2s > 0 ? std::sqrt(p2s) : 0;
             power[0] = p2 > 0 ? std::pow((p1 - p2) / (p1 + p2), 2) : 1;
             power[1] = p2 > 0 ? std::pow((p1 / (n1 * n1) - p2 / (n2 * n2)) / (p1 / (n1 * n1) + p2 / (n2 * n2)), 2) : 1;
