@@ -68,7 +68,9 @@ FUNCTION Wave wave_of_mode(PRIVATE const FaceAxes* f, PRIVATE const Mode* mode) 
   return w;
 }
 
+// Where a crystal's ray leaves it or meets what is inside.
 FUNCTION Hit next_exit(PRIVATE const SceneView* view, PRIVATE const Ray* ray) {
+  if (has(nested_solids, view)) return next_hit(view, ray);
   Hit hit = no_hit(ray);
   meet_exits(view, ray, &hit);
   return hit;
@@ -236,7 +238,8 @@ FUNCTION void send(PRIVATE const SceneView* view, PRIVATE const Path* from, PRIV
 // The waves of the path where it meets the face, amplitudes in the columns of its Jones matrix. pair: the face's own waves of
 // medium 1, for a path that carries both.
 FUNCTION Incident incident_waves(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE const FaceAxes* f,
-                                 PRIVATE const WaveMedium* m, real p1, PRIVATE const WavePair* pair) {
+                                 PRIVATE const WaveMedium* m, real p1, PRIVATE const WavePair* pair,
+                                 PRIVATE Gathered* sum) {
   Incident in;
   in.count = path->carries == CARRIES_ANY || path->carries == CARRIES_PAIR ? 2 : 1;
   if (path->carries == CARRIES_ANY) {
@@ -246,7 +249,7 @@ FUNCTION Incident incident_waves(PRIVATE const SceneView* view, PRIVATE Path* pa
   } else if (has(coherent_waves, view) && path->carries == CARRIES_PAIR) {
     in.mode[0] = pair->mode[0];
     in.mode[1] = pair->mode[1];
-    pair_on_face(view, path, f, in.mode);
+    pair_on_face(view, path, f, in.mode, sum);
   } else {
     cvec3 e, h, d = unit_d(path->axis, cross3(path->axis, wave_normal(path->k)), path->ellipse, 0);
     fields_of_wave(m, path->k, d.re, d.im, &e, &h);
@@ -283,7 +286,7 @@ FUNCTION void split_waves(PRIVATE const SceneView* view, PRIVATE Path* path, Int
   int sides = has(coherent_waves, view) && path->carries == CARRIES_PAIR ? 3 : 2;
   for (int i = 0; i < sides; ++i)
     pairs[i] = waves_of_face(i == 1 ? &m2 : &m1, &f, i == 1 ? square2 : square1, i == 0, i == 0 ? known : -1, known_p, live, &fallbacks);
-  Incident in = incident_waves(view, path, &f, &m1, p1, &pairs[2]);
+  Incident in = incident_waves(view, path, &f, &m1, p1, &pairs[2], sum);
   FaceAmplitudes a = face_amplitudes(in.mode, in.count, &pairs[0], &pairs[1]);
   real tolerance = lanes(sizeof(scalar) == 8 ? 1e-9f : 1e-2f);
   sum->energy_off = sum->energy_off | (live & (abs_of(a.off[0]) > tolerance));

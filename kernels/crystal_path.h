@@ -196,8 +196,10 @@ FUNCTION Mode mode_of_fields(PRIVATE const FaceAxes* f, vec3 k, cvec3 e, cvec3 h
 }
 
 // The amplitudes of a pair on the face's own two waves: the nearest unitary change between the two sets of D (polar
-// decomposition of their overlaps), which belong to wave vectors a little apart.
-FUNCTION void pair_on_face(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE const FaceAxes* f, PRIVATE const Mode* modes) {
+// decomposition of their overlaps), which belong to wave vectors a little apart. What falls on a wave that does not run along the
+// mean tangential wave vector (two waves within a degree of grazing) is cut off, and counted so.
+FUNCTION void pair_on_face(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE const FaceAxes* f, PRIVATE const Mode* modes,
+                           PRIVATE Gathered* sum) {
   vec3 axis_f = cross3(path->axis, wave_normal(path->k));
   cplx m[2][2];
   for (int i = 0; i < 2; ++i) {
@@ -215,6 +217,14 @@ FUNCTION void pair_on_face(PRIVATE const SceneView* view, PRIVATE Path* path, PR
     cplx e = path->jones.e[r], g = path->jones.f[r];
     path->jones.e[r] = csub(cmul(a, e), cmul(cmul(turn, conj_of(b)), g));
     path->jones.f[r] = cadd(cmul(b, e), cmul(cmul(turn, conj_of(a)), g));
+  }
+  mask runs0 = modes[0].p.im == lanes(0), runs1 = modes[1].p.im == lanes(0);
+  cplx none = complex_of(lanes(0), lanes(0));
+  for (int r = 0; r < jones_rows(view); ++r) {
+    real lost = pick(runs0, lanes(0), norm2(path->jones.e[r])) + pick(runs1, lanes(0), norm2(path->jones.f[r]));
+    sum->cut_off += lanes(0.5f) * lost;
+    path->jones.e[r] = cpick(runs0, path->jones.e[r], none);
+    path->jones.f[r] = cpick(runs1, path->jones.f[r], none);
   }
 }
 

@@ -90,7 +90,9 @@ TEST_CASE("furnace with crystals: every ray brings 1, unpolarized, but for what 
         }
         MESSAGE(kernels->name << ", " << solid.name << (coherence ? ", coherent" : "") << ": off " << off << ", polarized " << polarized
                               << ", " << counters.segments << " segments, " << counters.energy << " energy");
-        CHECK(off < 300 * kernels->epsilon);
+        // the fields of active crystals are first order in kappa = 3.5e-5
+        const double kappa = solid.name.find("quartz") == std::string::npos ? 0 : 3.5e-5;
+        CHECK(off < 300 * kernels->epsilon + 4 * kappa * kappa);
         CHECK(counters.nan == 0);
         CHECK(counters.stack == 0);
       }
