@@ -36,7 +36,7 @@ Lamp((N_O + N_E)/2*Inside_Sine, 0, 20)
   #local S = Once(N_E, S_Face_T(N_E, 1, Inside_Sine),
     M_Band(Lambda, 0.25, 420, 4000) + M_Band(Lambda, 0.30, 630, 3000));
   expect {
-    stokes Lambda, <(P + S)/2, (P - S)/2, 0, 0> + Dim*<Normal_R(1, N_O), 0, 0, 0> at <0.5 + X_0/View, 0.5> within 0.02
-    source "the way by two total reflections: Snell, Fresnel, Beer; what comes the second time is at most 2 %"
+    stokes Lambda, <(P + S)/2, (P - S)/2, 0, 0> + Dim*<Normal_R(1, N_O), 0, 0, 0> at <0.5 + X_0/View, 0.5> within 0.002
+    source "the way by two total reflections: Snell, Fresnel, Beer; what comes the second time is less than 0.2 %"
   }
 #end

@@ -8,11 +8,12 @@
 #declare Diameter = 6;        // mm
 #declare View = 6.6;          // mm
 #declare Dim = 0.1;
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20 }  max_trace_level 14  adc_bailout 3e-3  exposure 2 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20 }  max_trace_level 14  adc_bailout 5e-3  exposure 2 }
 #include "face_up.inc"
 #declare Pavilion = 41;       // deg
 #declare Table = 0.55;
-object { Standard_Brilliant(Diameter, Table, 35, Pavilion)  interior { M_Ruby_Pink optic_axis z } }
+#declare Content = 5;         // times 0.05 weight % Cr2O3
+object { Standard_Brilliant(Diameter, Table, 35, Pavilion)  interior { M_Ruby_Of(Content)  optic_axis z } }
 
 // ---- what it must give ----------------------------------------------------------------------------
 // In the plane of x and y both waves are as in glass: along z extraordinary, across it ordinary, each with its Beer's law.
@@ -38,11 +39,11 @@ Face_Up_Way(X_0, Pavilion, R, -Edge, Top)
   #local N_O = Corundum_O(Lambda);
   #local N_E = Corundum_E(Lambda);
   #local P = Once(N_O, P_Face_T(N_O*N_O, N_O*N_O, 1, 1, N_O*Inside_Sine, 0),
-    M_Band(Lambda, 0.28, 408, 3500) + M_Band(Lambda, 0.28, 556, 2800));
+    M_Band(Lambda, 0.28*Content, 408, 3500) + M_Band(Lambda, 0.28*Content, 556, 2800));
   #local S = Once(N_E, S_Face_T(N_E, 1, Inside_Sine),
-    M_Band(Lambda, 0.32, 400, 3500) + M_Band(Lambda, 0.14, 548, 2800));
+    M_Band(Lambda, 0.32*Content, 400, 3500) + M_Band(Lambda, 0.14*Content, 548, 2800));
   expect {
-    stokes Lambda, <(P + S)/2, (P - S)/2, 0, 0> + Dim*<Normal_R(1, N_O), 0, 0, 0> at <0.5 + X_0/View, 0.5> within 0.02
-    source "the way by two total reflections: Snell, Fresnel, Beer; what comes the second time is at most 2 %"
+    stokes Lambda, <(P + S)/2, (P - S)/2, 0, 0> + Dim*<Normal_R(1, N_O), 0, 0, 0> at <0.5 + X_0/View, 0.5> within 0.01
+    source "the way by two total reflections: Snell, Fresnel, Beer; what comes the second time is at most 1 %"
   }
 #end

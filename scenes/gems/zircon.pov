@@ -8,7 +8,7 @@
 #declare Diameter = 8;        // mm
 #declare View = 8.8;          // mm
 #declare Dim = 0.06;
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 50 }  max_trace_level 14  adc_bailout 1e-2 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 50 }  max_trace_level 14  adc_bailout 5e-3  exposure 2 }
 #include "face_up.inc"
 #declare Pavilion = 41;       // deg
 object { Standard_Brilliant(Diameter, 0.55, 35, Pavilion)  interior { M_Zircon optic_axis x } }
@@ -28,8 +28,9 @@ object { Standard_Brilliant(Diameter, 0.55, 35, Pavilion)  interior { M_Zircon o
 #declare Out_E = Q_2*C - P_2*S;
 #for (Eighth, 0, 7)
   #if (Eighth != 4) Lamp(Out_O, 45*Eighth, 12) #end
-  Lamp(0.25, 45*Eighth + 22.5, 60)
-  Lamp(0.8, 45*Eighth + 22.5, 50)
+  #for (Ring, 1, 5)
+    Lamp(0.17*Ring, 45*Eighth + 22.5, 50)
+  #end
 #end
 Lamp(Out_E, 180, 12)
 #declare T_O = (1 - Normal_R(1, N_O))*S_Face_T(N_O, 1, sin(radians(4*Pavilion)));
