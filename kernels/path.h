@@ -36,7 +36,7 @@ typedef struct {
   real stokes[4], lost[4];
   real cut_off;
   mask energy_off;  // a face gave R + T off 1
-  int cones;        // a path met the binormal of a crystal: its light depends on the azimuth taken there
+  mask cones;       // a path met the binormal of a crystal: its light depends on the azimuth taken there
 } Gathered;
 
 FUNCTION void add_stokes(PRIVATE Gathered* sum, int s, real value) {

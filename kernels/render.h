@@ -14,7 +14,7 @@ FUNCTION Gathered light_of_sample(PRIVATE const SceneView* view, real u, real v,
   for (int i = 0; i < 4; ++i) sum.stokes[i] = sum.lost[i] = lanes(0);
   sum.cut_off = lanes(0);
   sum.energy_off = lanes(0) != lanes(0);
-  sum.cones = 0;
+  sum.cones = lanes(0) != lanes(0);
   *segments += follow(view, path, stack, &sum, counters);
   turn_to_picture(&sum, axis, picture_x, direction);
   if (any_lane(sum.energy_off)) count_event(counters, COUNT_ENERGY);
@@ -62,16 +62,16 @@ FUNCTION void render_item(GLOBAL const int* ints, GLOBAL const scalar* reals, GL
   for (int s = sample_begin; s < sample_end; ++s) {
     real u = (x0 + lanes(samples[2 * s])) / lanes((scalar)width);
     real v = (y0 - lanes(samples[2 * s + 1])) / lanes((scalar)height);
-    int taken = azimuths;
-    for (int azimuth = 0; azimuth < taken; ++azimuth) {
+    mask taken = in_use;  // lanes that still ask for azimuths
+    for (int azimuth = 0; azimuth < azimuths && any_lane(taken); ++azimuth) {
       if (has(conical_rays, &view)) {
         cplx turn = rotation_of(lanes(((scalar)azimuth + (scalar)0.5) / (scalar)(4 * azimuths)), lanes(0), lanes(1));
         view.conical_cos = turn.re;
         view.conical_sin = turn.im;
       }
-      Gathered sum = light_of_sample(&view, u, v, in_use, &stack, counters, &segments);
-      if (!sum.cones) taken = 1;  // no azimuth was asked for: all are alike
-      real share = lanes((scalar)1 / (scalar)taken);
+      Gathered sum = light_of_sample(&view, u, v, taken, &stack, counters, &segments);
+      taken = taken & sum.cones;  // for the others all azimuths are alike
+      real share = pick(sum.cones, lanes((scalar)1 / (scalar)azimuths), lanes(1));
       for (int i = 0; i < 4; ++i) total[OUT_STOKES + i] += share * sum.stokes[i];
       total[OUT_CUT_OFF] += share * sum.cut_off;
     }
