@@ -1,7 +1,7 @@
 // A standard brilliant of diamond, Tolkowsky's proportions (1919), face up. What enters the table is totally reflected twice by
-// the pavilion and comes back through table and crown: brilliance. It leaves at angles that depend on colour: the small
-// lamps are seen in spectral colours from the rim of the facets: fire. Look for: eightfold pattern of bright and dark facets (the dark
-// ones look at the dim room), no light lost through the pavilion, colours where facets catch the edge of a lamp.
+// the pavilion and comes back through table and crown: brilliance. It leaves at angles that depend on colour: fire.
+// Look for: an eightfold pattern of facets that see a lamp and facets that see the dim room; the middle, where the smallest lamps are
+// met in yellow and green only; blue and orange rims all about.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "minerals.inc"

@@ -1,6 +1,6 @@
 // A brilliant of ruby, its optic axis along z (up in the picture), face up. Two broad bands, in the violet and in the green, leave red and a
-// trace of blue; light that vibrates across the axis loses more of the green and orange than light along it. Look for: red of all
-// depths, brightest where the light's way is short.
+// trace of blue; light that vibrates across the axis loses more of the green and orange than light along it. Look for: purplish
+// reds of all depths, redder where the way is long; the red fluorescence of ruby is not in here.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "minerals.inc"

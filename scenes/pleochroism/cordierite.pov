@@ -1,6 +1,6 @@
 // Three cubes of 5 mm of one cordierite (iolite), looked through along a, b and c: each before a lamp that is polarized to the right
-// (above) and up (below), so that each of the six fields shows what one axis passes. Vikings are said to have found the sun
-// by it. Look for: three colours in six fields, violet-blue along b, a paler blue along a, pale yellowish along c.
+// (above) and up (below), so that each of the six fields shows what one axis passes. Look for: three colours in six fields: blue
+// along b, violet along a, nearly colourless along c; each pair of fields of one axis is the same in both its cubes.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"

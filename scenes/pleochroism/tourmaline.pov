@@ -1,7 +1,8 @@
-// A plate of green tourmaline, 2 mm, its optic axis up and down, before a lamp that is polarized up (left), to the right (right)
+// A plate of green tourmaline, 8 mm, its optic axis up and down, before a lamp that is polarized up (left), to the right (right)
 // and not at all (middle). What vibrates across the axis is absorbed ten times as strongly: the plate is a
-// polarizer, Biot's (1815) and Herapath's predecessor in every tourmaline tongs. Below, a second plate lies across the first,
-// and the two pass next to nothing, whatever comes. Look for: left green, right nearly black, middle half of the left; below, black.
+// polarizer (Biot 1815), as in tourmaline tongs. Below, a second plate lies across the first, so that all light is ordinary
+// in one of the two. Look for: left pale green, right and below dark, but for the green between tourmaline's two
+// bands, of which one plate lets 5 % through.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
@@ -9,7 +10,7 @@
 #include "closed_forms.inc"
 global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20 }  max_trace_level 20  adc_bailout 1e-5  exposure 1.6 }
 
-#declare Thickness = 2;       // mm
+#declare Thickness = 8;       // mm
 #declare View = 20;           // mm
 camera { orthographic  location -40*z  look_at 0  right View*x  up View*y }
 #declare Third = polygon { 5, <-3, -9, 2>, <3, -9, 2>, <3, 9, 2>, <-3, 9, 2>, <-3, -9, 2> }
@@ -17,7 +18,7 @@ object { Third luminous { spectrum { d65 } } }
 object { Third translate -6.2*x luminous { spectrum { d65 } polarizer { ideal axis y } } }
 object { Third translate  6.2*x luminous { spectrum { d65 } polarizer { ideal axis x } } }
 box { <-8.5, -7.5, -Thickness>, <8.5, 7.5, 0>  interior { M_Tourmaline_Green optic_axis y } }
-box { <-8.5, -7.5, -Thickness>, <8.5, -2, 0>  translate -4*z  interior { M_Tourmaline_Green optic_axis x } }
+box { <-8.5, -7.5, -Thickness>, <8.5, -2, 0>  translate -10*z  interior { M_Tourmaline_Green optic_axis x } }
 
 // ---- what it must give ----------------------------------------------------------------------------
 // Beer's law along each axis, with Fresnel at both faces, all orders: (1 - R)^2 t/(1 - (R t)^2). Two plates: all orders
