@@ -17,11 +17,11 @@ polygon { 5, <0, 0, -20>, <0, 0, 20>, <0, 50, 20>, <0, 50, -20>, <0, 0, -20>  ro
 polygon { 5, <-14, 6, 0>, <14, 6, 0>, <14, 44, 0>, <-14, 44, 0>, <-14, 6, 0>  translate <16, 0, 60>  luminous { spectrum { d65 scale 0.8 } } }
 polygon { 5, <-60, 0, -30>, <60, 0, -30>, <60, 0, 80>, <-60, 0, 80>, <-60, 0, -30>  translate -0.5*y  luminous { spectrum { d65 scale 0.03 } } }
 
-// Cell: a 4.9134, c 5.4052 Angstroem (Levien, Prewitt & Weidner, Am. Mineral. 65, 920 (1980)). The lower half is cut off.
+// Cell: a 4.916, c 5.4054 Angstroem (Levien, Prewitt & Weidner, Am. Mineral. 65, 920 (1980)). The lower half is cut off.
 #macro Point(Radius, Height, Hand)
   intersection {
     crystal {
-      cell { 4.9134, 4.9134, 5.4052 }  point_group "32"
+      cell { 4.916, 4.916, 5.4054 }  point_group "32"
       form { 1, 0, -1, 0, Radius }
       form { 1, 0, -1, 1, Height*0.62 }
       form { 0, 1, -1, 1, Height*0.66 }

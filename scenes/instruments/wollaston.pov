@@ -1,7 +1,7 @@
 // Wollaston's prism: two wedges of calcite, cemented, with their optic axes across the light and across each other. The light
 // polarized to the right is extraordinary in the near wedge and ordinary in the far one, that polarized up
-// the other way round: the slanted plane bends them to opposite sides. Look for: two images of the stripes, 6.2 deg
-// apart, polarized across each other, with a trace of colourless double reflections; beside the prism the stripes.
+// the other way round: the slanted plane bends them to opposite sides. Look for: two images of the stripes, 5.3 deg
+// apart, polarized across each other, with faint ones by double reflection between them; beside the prism the stripes.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
