@@ -28,6 +28,17 @@ FUNCTION FaceAxes face_axes(vec3 normal, vec3 k) {
   return f;
 }
 
+// Dead lanes get something finite to carry.
+FUNCTION void tame_dead_lanes(PRIVATE const SceneView* view, PRIVATE Path* path) {
+  mask live = path_weight(view, &path->jones) > lanes(0);
+  vec3 z = vec(lanes(0), lanes(0), lanes(1));
+  path->ray.direction = pick3(live, path->ray.direction, z);
+  path->k = pick3(live, path->k, z);
+  path->axis = pick3(live, path->axis, vec(lanes(1), lanes(0), lanes(0)));
+  path->ellipse = pick(live, path->ellipse, lanes(0));
+  path->gap = pick(live, path->gap, lanes(0));
+}
+
 // amplitude[wave][row] of the two waves of an isotropic medium: one path.
 FUNCTION void send_isotropic(PRIVATE const SceneView* view, PRIVATE const Path* from, PRIVATE const FaceAxes* f,
                              PRIVATE const WaveMedium* m, PRIVATE const WavePair* waves, cplx amplitude[2][2], PRIVATE Children* out) {
@@ -44,6 +55,7 @@ FUNCTION void send_isotropic(PRIVATE const SceneView* view, PRIVATE const Path* 
     path->jones.f[r] = amplitude[1][r];
   }
   path->jones = keep_lanes(view, runs, path->jones);
+  tame_dead_lanes(view, path);
 }
 
 // What a wave is, seen from the medium: its wave vector, unit D, ray.
@@ -134,6 +146,7 @@ FUNCTION void send_pair(PRIVATE const SceneView* view, PRIVATE const Path* from,
     path->jones.f[r] = cscale(root, cmul(amplitude[1][r], phase[1]));
   }
   path->jones = keep_lanes(view, mu > lanes(0), path->jones);
+  tame_dead_lanes(view, path);
 }
 
 FUNCTION void send_single(PRIVATE const SceneView* view, PRIVATE const Path* from, PRIVATE const Wave* w,
@@ -152,6 +165,7 @@ FUNCTION void send_single(PRIVATE const SceneView* view, PRIVATE const Path* fro
     path->jones.f[r] = complex_of(lanes(0), lanes(0));
   }
   path->jones = keep_lanes(view, w->runs & (share > lanes(0)), path->jones);
+  tame_dead_lanes(view, path);
 }
 
 // Where the wave normals that a ray stands for hold a binormal (sheets gap = n |r1 - r0| delta apart at the angle delta from

@@ -82,7 +82,8 @@ TEST_CASE("quartz along its axis turns light clockwise for the receiver by rho d
       turned -= 180 * std::rint(turned / 180);
       CHECK(std::fabs(turned) < (kernels->epsilon > 1e-10 ? 2e-3 : 1e-6));
       const double r = std::pow((quartz[0] - 1) / (quartz[0] + 1), 2);
-      CHECK(l.s0 == doctest::Approx((1 - r) / (1 + r)).epsilon(kernels->epsilon * 100));
+      const double kappa = 3.5e-5;   // fields are first order in it
+      CHECK(std::fabs(l.s0 - (1 - r) / (1 + r)) < 4 * kappa * kappa + 100 * kernels->epsilon);
       CHECK(std::hypot(l.s1, l.s2) == doctest::Approx(l.s0).epsilon(1e-5));   // still linear
     }
   }
