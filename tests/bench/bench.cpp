@@ -24,6 +24,7 @@ struct Settings {
   int rounds = 7;
   std::string program;      // this one
   bool cold_build = false;  // only that
+  bool only_media = false;
   bool features = true;   // --no-features leaves the long table out
 };
 
@@ -136,6 +137,32 @@ void bench_features(Device& device, const LoadedScene& loaded, const Settings& s
     fmt::print("{:<32}{:>16.2f}{:>+11.1f}%\n", v.name, median(v.cpu_ns), 100 * (ratio(v, variants[0]) - 1));
 }
 
+// The same cube of each class of medium; what a segment costs against glass, and how many more there are.
+int bench_media(Device& device, const Settings& settings) {
+  struct Kind {
+    const char* name;
+    int number;
+    bool coherent;
+  };
+  const Kind kinds[] = {{"glass", 0, true}, {"uniaxial, incoherent", 1, false}, {"uniaxial", 1, true}, {"uniaxial that absorbs", 4, true},
+                        {"biaxial", 2, true}, {"active uniaxial", 3, true}};
+  std::vector<std::unique_ptr<LoadedScene>> scenes;
+  std::vector<Variant> variants;
+  for (const Kind& kind : kinds) {
+    app::SceneOptions options;
+    options.width = options.height = settings.size;
+    options.declares = {fmt::format("Kind={}", kind.number), fmt::format("Coherent={}", kind.coherent ? 1 : 0)};
+    scenes.push_back(app::load_scene(NICOL_SOURCE_DIR "/tests/bench/media.pov", options));
+    if (!scenes.back()) return 1;
+    variants.push_back(device_variant(kind.name, device, *scenes.back(), scenes.back()->features.mask, settings, {}));
+  }
+  run_in_turn(variants, settings.rounds);
+  fmt::print("\n{:<32}{:>14}{:>16}{:>12}\n", "medium of a cube", "Msegments", "ns/seg (CPU)", "cost");
+  for (const Variant& v : variants)
+    fmt::print("{:<32}{:>14.2f}{:>16.2f}{:>11.2f}x\n", v.name, v.segments * 1e-6, median(v.cpu_ns), ratio(v, variants[0]));
+  return 0;
+}
+
 // On a picture large enough for tens of tiles.
 void bench_tiles(Device& device, const LoadedScene& loaded, Settings settings) {
   settings.size *= 3;
@@ -183,7 +210,9 @@ int run(const Settings& settings) {
   const auto device = open_device("");
   fmt::print("{}: {}x{}, {} wavelengths, features 0x{:x}, on {}\n", settings.scene, settings.size, settings.size,
              loaded->scene.lambda_nm.size(), loaded->features.mask, info(*device).name);
+  if (settings.only_media) return bench_media(*device, settings);
   bench_lanes(*device, *loaded, settings);
+  if (bench_media(*device, settings) != 0) return 1;
   if (settings.features) bench_features(*device, *loaded, settings);
   bench_tiles(*device, *loaded, settings);
   bench_builds(*loaded, settings);
@@ -193,7 +222,7 @@ int run(const Settings& settings) {
 }  // namespace
 }  // namespace nicol::bench
 
-// nicol_bench [--scene FILE] [--size PIXELS] [--rounds N] [--no-features]
+// nicol_bench [--scene FILE] [--size PIXELS] [--rounds N] [--no-features] [--media]
 int main(int argc, char** argv) {
   nicol::bench::Settings settings;
   settings.program = argv[0];
@@ -204,6 +233,10 @@ int main(int argc, char** argv) {
       continue;
     }
     const char* value = i + 1 < argc ? argv[i + 1] : "";
+    if (word == "--media") {
+      settings.only_media = true;
+      continue;
+    }
     if (word == "--no-features") {
       settings.features = false;
       continue;
