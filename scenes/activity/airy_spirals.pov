@@ -1,7 +1,7 @@
-// Airy's spirals (1831): right and left quartz, 4 mm each, cut across the axis, one on the other between crossed polarizers, seen under all
-// angles up to 17 deg in sodium light. One plate alone would show rings about a bright middle; the two of opposite hand undo each
-// other's rotation along the axis, and off it the black cross winds up into four spirals. Exchange the plates, and they
-// wind the other way.
+// Airy's spirals (1831): right and left quartz, 4 mm each, cut across the axis, one on the other between crossed
+// polarizers, seen under all angles up to 17 deg in sodium light. One plate alone would show rings about a bright
+// middle; the two of opposite hand undo each other's rotation along the axis, and off it the black cross winds up
+// into four spirals. Exchange the plates, and they wind the other way.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
@@ -13,17 +13,19 @@ global_settings { mm_per_unit Mm_Per_Unit  wavelengths { 589.3 }  max_trace_leve
 #declare View = 0.6;          // tangents
 #declare Wide = 600;          // mm
 camera { location -1000*z  direction z  right View*x  up View*y }
-#declare Sheet = polygon { 5, <-Wide, -Wide, 0>, <Wide, -Wide, 0>, <Wide, Wide, 0>, <-Wide, Wide, 0>, <-Wide, -Wide, 0> }
+#declare Sheet = polygon {
+  5, <-Wide, -Wide, 0>, <Wide, -Wide, 0>, <Wide, Wide, 0>, <-Wide, Wide, 0>, <-Wide, -Wide, 0> }
 object { Sheet translate z  luminous { spectrum { e } polarizer { ideal axis x } } }
 object { Sheet translate -20*z  polarizer { ideal axis y } }
 box { <-Wide, -Wide, -Thickness>, <Wide, Wide, 0>  interior { M_Quartz_Right optic_axis z }  optical_contact }
 box { <-Wide, -Wide, -2*Thickness>, <Wide, Wide, -Thickness>  interior { M_Quartz_Left optic_axis z }  optical_contact }
 
 // ---- what it must give ----------------------------------------------------------------------------
-// A plate is exp of its retardation D and rotation r: in (s, p), with h = sqrt((D/2)^2 + r^2), b = D/2 sin(h)/h, g = r sin(h)/h,
-// ((cos h + i b, g), (-g, cos h - i b)), the left one with -g; light that meets the right plate first and
-// is seen at the azimuth f passes 4 b^2 (cos(h) sin 2f + g cos 2f)^2: dark where tan 2f = -g/cos h. Gyration at angle psi from the axis: g33 cos^2 + g11 sin^2 (Born & Wolf 15.4; Szivessy & Muenster 1934);
-// between the faces once, T_s T_p; what comes by further orders is less than the tolerance.
+// A plate is exp of its retardation D and rotation r: in (s, p), with h = sqrt((D/2)^2 + r^2), b = D/2 sin(h)/h, g
+// = r sin(h)/h, ((cos h + i b, g), (-g, cos h - i b)), the left one with -g; light that meets the right plate
+// first and is seen at the azimuth f passes 4 b^2 (cos(h) sin 2f + g cos 2f)^2: dark where tan 2f = -g/cos h.
+// Gyration at angle psi from the axis: g33 cos^2 + g11 sin^2 (Born & Wolf 15.4; Szivessy & Muenster 1934); between
+// the faces once, T_s T_p; what comes by further orders is less than the tolerance.
 #macro Retardation_2(Q)
   #local N_O = Quartz_O(589.3);
   (pi*(N_O*sqrt(1 - pow(Q/Quartz_E(589.3), 2)) - sqrt(N_O*N_O - Q*Q))*Thickness/(589.3*nm))

@@ -1,13 +1,14 @@
-// Soleil's double plate (1845): right and left quartz side by side, cut across the axis, 3.75 mm thick, between parallel
-// polarizers. There the middle of the spectrum turns by 90 deg and goes out, and what is left is the sensitive
-// tint, a greyish violet, the same on both sides. In the lower half the analyzer is turned by 4 deg: one side turns blue, the
-// other red. That is how saccharimeters were read.
+// Soleil's double plate (1845): right and left quartz side by side, cut across the axis, 3.75 mm thick, between
+// parallel polarizers. There the middle of the spectrum turns by 90 deg and goes out, and what is left is the
+// sensitive tint, a greyish violet, the same on both sides. In the lower half the analyzer is turned by 4 deg: one
+// side turns blue, the other red. That is how saccharimeters were read.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
 #include "minerals.inc"
 #include "closed_forms.inc"
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 10 }  max_trace_level 20  adc_bailout 1e-7  exposure 4 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 10 }
+  max_trace_level 20  adc_bailout 1e-7  exposure 4 }
 
 #declare Thickness = 3.75;    // mm
 #declare Turned = 4;          // deg
@@ -40,7 +41,8 @@ object { Half_Disc(-1) translate -Thickness*z interior { M_Quartz_Left optic_axi
 #macro Expect_At(X, Y, Hand, Analyzer)
   #for (Lambda, 450, 650, 50)
     expect {
-      relative_radiance Lambda, Plate_T(Quartz_O(Lambda))/2*pow(cos(radians(-Hand*Lowry_Deg_Per_Mm(Lambda)*Thickness - Analyzer)), 2)
+      relative_radiance Lambda,
+        Plate_T(Quartz_O(Lambda))/2*pow(cos(radians(-Hand*Lowry_Deg_Per_Mm(Lambda)*Thickness - Analyzer)), 2)
       at <0.5 + (X)/View, 0.5 - (Y)/View> within 2e-5
       source "Malus with Lowry's rotation (1935), all orders"
     }

@@ -1,12 +1,14 @@
-// Sodium chlorate, cubic and optically active, in its right and its left form: cubes with the faces of the tetrahedron, which
-// the two forms have in opposite corners. Between crossed polarizers in the upper half each shows the same colour and
-// is as bright in every direction; in the lower half the analyzer is turned by 30 deg, and the two are told apart.
+// Sodium chlorate, cubic and optically active, in its right and its left form: cubes with the faces of the
+// tetrahedron, which the two forms have in opposite corners. Between crossed polarizers in the upper half each
+// shows the same colour and is as bright in every direction; in the lower half the analyzer is turned by 30 deg,
+// and the two are told apart.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
 #include "minerals.inc"
 #include "closed_forms.inc"
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20 }  max_trace_level 30  adc_bailout 1e-6  exposure 2.5 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20 }
+  max_trace_level 30  adc_bailout 1e-6  exposure 2.5 }
 
 #declare Half = 8;            // mm, from the centre to the cube's faces
 #declare Turned = 30;         // deg

@@ -1,7 +1,7 @@
-// Cinnabar (HgS) turns red light by 315 deg/mm along its axis, fifteen times as much as quartz turns yellow light: half a
-// millimetre turns it nearly half round. Steps of 0.05 to 0.5 mm in the red of a helium-neon laser between crossed
-// polarizers. Look for: dark where the rotation is a multiple of 180 deg, and that even the bright steps stay
-// below 0.6 of the light: n_o = 2.9 reflects a quarter at each face.
+// Cinnabar (HgS) turns red light by 315 deg/mm along its axis, fifteen times as much as quartz turns yellow light:
+// half a millimetre turns it nearly half round. Steps of 0.05 to 0.5 mm in the red of a helium-neon laser between
+// crossed polarizers. Look for: dark where the rotation is a multiple of 180 deg, and that even the bright steps
+// stay below 0.6 of the light: n_o = 2.9 reflects a quarter at each face.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"

@@ -1,12 +1,14 @@
-// Paratellurite (TeO2) along its axis turns light by 105 deg/mm in the yellow and by 271 deg/mm in the violet, five to six
-// times as much as quartz. Steps of 0.1 to 1 mm between crossed polarizers in daylight. Look for: greys and
-// yellows within the first tenths of a millimetre, then colours that change with every step.
+// Paratellurite (TeO2) along its axis turns light by 105 deg/mm in the yellow and by 271 deg/mm in the violet,
+// five to six times as much as quartz. Steps of 0.1 to 1 mm between crossed polarizers in daylight. Look for:
+// greys and yellows within the first tenths of a millimetre, then colours that change with every step.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
 #include "minerals.inc"
 #include "closed_forms.inc"
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { 438.2, 463, 480, 499.5, 515, 530, 550, 570, 589.3, 610, 632.8, 650, 670, 700 }
+global_settings {
+  mm_per_unit Mm_Per_Unit
+  wavelengths { 438.2, 463, 480, 499.5, 515, 530, 550, 570, 589.3, 610, 632.8, 650, 670, 700 }
   max_trace_level 40  adc_bailout 1e-7  exposure 2.5 }
 
 #declare View = 20;           // mm

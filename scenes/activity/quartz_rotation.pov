@@ -1,7 +1,7 @@
-// Quartz looked through along its optic axis: right quartz above, left quartz below, 1 to 6 mm thick. The lamp is polarized
-// to the right; an analyzer at 45 deg lies over the middle. Light turns by 21.7 deg/mm in the yellow and by
-// twice as much in the violet, clockwise for the receiver in right quartz, counter-clockwise in left quartz. Look for:
-// colours that run through the spectrum with thickness, and that right and left quartz show complements
+// Quartz looked through along its optic axis: right quartz above, left quartz below, 1 to 6 mm thick. The lamp is
+// polarized to the right; an analyzer at 45 deg lies over the middle. Light turns by 21.7 deg/mm in the yellow and
+// by twice as much in the violet, clockwise for the receiver in right quartz, counter-clockwise in left quartz.
+// Look for: colours that run through the spectrum with thickness, and that right and left quartz show complements
 // of each other; no colours where the analyzer does not lie.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
@@ -26,8 +26,8 @@ polygon { 5, <-9.8, -6.5, -9>, <9.8, -6.5, -9>, <9.8, 6.5, -9>, <-9.8, 6.5, -9>,
 #end
 
 // ---- what it must give ----------------------------------------------------------------------------
-// Along the axis both waves are circular with one impedance: Fresnel with n_o, all orders turned by the same angle, since
-// the way there and back cancels.
+// Along the axis both waves are circular with one impedance: Fresnel with n_o, all orders turned by the same
+// angle, since the way there and back cancels.
 #macro Expect_Rotation(Lambda, Thickness, Hand, Deg_Per_Mm, Whose)
   #local Azimuth = radians(-Hand*Deg_Per_Mm*Thickness);
   #local T = Plate_T(Quartz_O(Lambda));

@@ -1,6 +1,7 @@
-// The interference figure of aragonite: a plate across the acute bisectrix (c) between crossed polarizers at 45 deg to the plane of its
-// optic axes, seen under all angles up to 24 deg in sodium light. Look for: two eyes, the optic axes, 15.4 deg off the
-// middle on both sides; Cassini's ovals and lemniscates about them; two dark brushes, the isogyres, through the eyes.
+// The interference figure of aragonite: a plate across the acute bisectrix (c) between crossed polarizers at 45
+// deg to the plane of its optic axes, seen under all angles up to 24 deg in sodium light. Look for: two eyes, the
+// optic axes, 15.4 deg off the middle on both sides; Cassini's ovals and lemniscates about them; two dark brushes,
+// the isogyres, through the eyes.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
@@ -12,7 +13,8 @@ global_settings { mm_per_unit Mm_Per_Unit  wavelengths { 589.3 }  max_trace_leve
 #declare View = 0.9;          // tangents
 #declare Wide = 600;          // mm
 camera { location -1000*z  direction z  right View*x  up View*y }
-#declare Sheet = polygon { 5, <-Wide, -Wide, 0>, <Wide, -Wide, 0>, <Wide, Wide, 0>, <-Wide, Wide, 0>, <-Wide, -Wide, 0> }
+#declare Sheet = polygon {
+  5, <-Wide, -Wide, 0>, <Wide, -Wide, 0>, <Wide, Wide, 0>, <-Wide, Wide, 0>, <-Wide, -Wide, 0> }
 object { Sheet translate z  luminous { spectrum { e } polarizer { ideal axis <1, 1, 0> } } }
 object { Sheet translate -z  polarizer { ideal axis <1, -1, 0> } }
 box { <-Wide, -Wide, -Thickness>, <Wide, Wide, 0>  
@@ -23,9 +25,10 @@ box { <-Wide, -Wide, -Thickness>, <Wide, Wide, 0>
   } }
 
 // ---- what it must give ----------------------------------------------------------------------------
-// On the line through both optic axes, Theta from the middle: a polarizer's axis across the ray is (1, cos Theta)/sqrt(1 + cos^2 Theta) on s and p.
-// s vibrates along beta, p_s^2 = n_b^2 - q^2; p in the plane of gamma and alpha, p_p^2 = n_c^2 (1 - q^2/n_a^2), q = sin Theta;
-// they gain (p_s - p_p) d on each other, order m 2m + 1 times that, and nothing on the optic axes, n_b sin V off.
+// On the line through both optic axes, Theta from the middle: a polarizer's axis across the ray is (1, cos
+// Theta)/sqrt(1 + cos^2 Theta) on s and p. s vibrates along beta, p_s^2 = n_b^2 - q^2; p in the plane of gamma and
+// alpha, p_p^2 = n_c^2 (1 - q^2/n_a^2), q = sin Theta; they gain (p_s - p_p) d on each other, order m 2m + 1 times
+// that, and nothing on the optic axes, n_b sin V off.
 #macro Figure(Q)
   #local Cos_2 = 1 - Q*Q;
   #local T_S = S_Face_T(1, N_B, Q);

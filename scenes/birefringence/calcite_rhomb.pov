@@ -1,13 +1,14 @@
-// The cleavage rhomb of calcite on a printed page, seen from straight above: Bartholin's "disdiaclasticum" of 1669. All
-// faces are {10-14}; the optic axis stands at 44.6 deg to each of them. One image stays, the other one stands aside along the short
-// diagonal of the face; turn the rhomb and it goes round the first. Look for: two texts of half the blackness each, black only where
-// both overlap; the page about the rhomb shows what is written.
+// The cleavage rhomb of calcite on a printed page, seen from straight above: Bartholin's "disdiaclasticum" of
+// 1669. All faces are {10-14}; the optic axis stands at 44.6 deg to each of them. One image stays, the other one
+// stands aside along the short diagonal of the face; turn the rhomb and it goes round the first. Look for: two
+// texts of half the blackness each, black only where both overlap; the page about the rhomb shows what is written.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
 #include "minerals.inc"
 #include "closed_forms.inc"
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 50 }  max_trace_level 12  adc_bailout 2e-4 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 50 }
+  max_trace_level 12  adc_bailout 2e-4 }
 
 #declare Height = 24;         // mm, between the rhomb's faces
 #declare Ink = 0.04;          // of the paper's radiance
@@ -52,8 +53,8 @@ crystal {
 }
 
 // ---- what it must give ----------------------------------------------------------------------------
-// At normal incidence on the top: each wave sees the page through all orders between top and bottom, and the sky by what they
-// reflect; the extraordinary one sees it Aside further towards the side to which the axis leans.
+// At normal incidence on the top: each wave sees the page through all orders between top and bottom, and the sky
+// by what they reflect; the extraordinary one sees it Aside further towards the side to which the axis leans.
 #declare N_O = Calcite_O(550);
 #declare N_E = Calcite_E(550);
 #declare Aside = Height*Tan_Walk_Off(N_O, N_E, Slant)*<sin(radians(Turn)), cos(radians(Turn))>;

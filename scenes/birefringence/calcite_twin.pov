@@ -1,8 +1,8 @@
-// A contact twin of calcite, as a plate: the optic axis stands at 45 deg on both sides of the twin plane, mirrored in it.
-// The extraordinary ray runs aside in the first individual and back in the second: the two images close up again
-// where both are of one thickness, and stand apart by the difference where they are not. The wave itself
-// does not notice the plane: its index is the same on both sides. Look for: left, equal halves, one image; right, one third
-// and two thirds, two images; beside the plates the lines themselves.
+// A contact twin of calcite, as a plate: the optic axis stands at 45 deg on both sides of the twin plane, mirrored
+// in it. The extraordinary ray runs aside in the first individual and back in the second: the two images close up
+// again where both are of one thickness, and stand apart by the difference where they are not. The wave itself
+// does not notice the plane: its index is the same on both sides. Look for: left, equal halves, one image; right,
+// one third and two thirds, two images; beside the plates the lines themselves.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"

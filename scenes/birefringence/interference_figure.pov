@@ -1,6 +1,7 @@
-// The interference figure of calcite: a plate across the optic axis between crossed polarizers, seen under all angles up to 20 deg in sodium
-// light. The plate is wide and far, so that each pixel takes in more than the two waves part: they interfere. Look for:
-// a black cross where one of the two waves is missing, and rings where they have gained a whole wave on each other.
+// The interference figure of calcite: a plate across the optic axis between crossed polarizers, seen under all
+// angles up to 20 deg in sodium light. The plate is wide and far, so that each pixel takes in more than the two
+// waves part: they interfere. Look for: a black cross where one of the two waves is missing, and rings where they
+// have gained a whole wave on each other.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
@@ -12,14 +13,16 @@ global_settings { mm_per_unit Mm_Per_Unit  wavelengths { 589.3 }  max_trace_leve
 #declare View = 0.72;         // tangents
 #declare Wide = 600;          // mm
 camera { location -1000*z  direction z  right View*x  up View*y }
-#declare Sheet = polygon { 5, <-Wide, -Wide, 0>, <Wide, -Wide, 0>, <Wide, Wide, 0>, <-Wide, Wide, 0>, <-Wide, -Wide, 0> }
+#declare Sheet = polygon {
+  5, <-Wide, -Wide, 0>, <Wide, -Wide, 0>, <Wide, Wide, 0>, <-Wide, Wide, 0>, <-Wide, -Wide, 0> }
 object { Sheet translate z  luminous { spectrum { e } polarizer { ideal axis x } } }
 object { Sheet translate -z  polarizer { ideal axis y } }
 box { <-Wide, -Wide, -Thickness>, <Wide, Wide, 0>  interior { M_Calcite optic_axis z } }
 
 // ---- what it must give ----------------------------------------------------------------------------
-// At 45 deg to the polarizers, Theta from the axis: a polarizer's axis across the ray is (1, cos Theta)/sqrt(1 + cos^2 Theta) on s and p. The waves
-// gain (p_o - p_e) d on each other, p_o^2 = n_o^2 - q^2, p_e^2 = n_o^2 (1 - q^2/n_e^2), q = sin Theta; order m 2m + 1 times that.
+// At 45 deg to the polarizers, Theta from the axis: a polarizer's axis across the ray is (1, cos Theta)/sqrt(1 +
+// cos^2 Theta) on s and p. The waves gain (p_o - p_e) d on each other, p_o^2 = n_o^2 - q^2, p_e^2 = n_o^2 (1 -
+// q^2/n_e^2), q = sin Theta; order m 2m + 1 times that.
 #declare N_O = Calcite_O(589.3);
 #declare N_E = Calcite_E(589.3);
 #macro Figure(Q)

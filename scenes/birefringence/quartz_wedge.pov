@@ -1,14 +1,15 @@
-// A wedge of quartz between crossed polarizers, its optic axis at 45 deg to them, in daylight: the colours of Newton and
-// Michel-Levy, from black at the thin edge to the fourth order. The plates below retard by 150, 300, 550,
-// 1000 and 1700 nm; the wavelengths are close enough that the two waves stay coherent.
-// Look for: first-order grey, white, yellow, red; the sensitive tint (551 nm) and its sharp change to blue; paler
-// pinks and greens further on.
+// A wedge of quartz between crossed polarizers, its optic axis at 45 deg to them, in daylight: the colours of
+// Newton and Michel-Levy, from black at the thin edge to the fourth order. The plates below retard by 150, 300,
+// 550, 1000 and 1700 nm; the wavelengths are close enough that the two waves stay coherent. Look for: first-order
+// grey, white, yellow, red; the sensitive tint (551 nm) and its sharp change to blue; paler pinks and greens
+// further on.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
 #include "minerals.inc"
 #include "closed_forms.inc"
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 380 to 780 step 10 }  max_trace_level 20  adc_bailout 1e-6  exposure 1.8 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 380 to 780 step 10 }
+  max_trace_level 20  adc_bailout 1e-6  exposure 1.8 }
 
 #declare Longest = 0.24;      // mm: 2184 nm at 589 nm
 #declare View = 20;           // mm
@@ -17,7 +18,8 @@ polygon { 5, <-10, -10, 1>, <10, -10, 1>, <10, 10, 1>, <-10, 10, 1>, <-10, -10, 
   luminous { spectrum { d65 } polarizer { ideal axis x } } }
 
 // The wedge: its lower face is flat, its upper face rises to the right.
-prism { 0.5, 9, 4, <-9.5, 0>, <9.5, 0>, <9.5, -Longest>, <-9.5, 0>  interior { M_Quartz_Inactive optic_axis <1, 1, 0> } }
+prism { 0.5, 9, 4, <-9.5, 0>, <9.5, 0>, <9.5, -Longest>, <-9.5, 0>
+  interior { M_Quartz_Inactive optic_axis <1, 1, 0> } }
 
 // Five steps below: retardation in nm at 589.3 nm.
 #declare Dn = Quartz_E(589.3) - Quartz_O(589.3);
@@ -27,8 +29,8 @@ prism { 0.5, 9, 4, <-9.5, 0>, <9.5, 0>, <9.5, -Longest>, <-9.5, 0>  interior { M
 #end
 
 // ---- what it must give ----------------------------------------------------------------------------
-// A plate at normal incidence: of the light (half of it passes the first polarizer) |a_o - a_e|^2/4 passes the second,
-// a_o = T_o rho^m of order m, with T = 1 - R, rho_o = R_o, each order with 2m + 1 times the retardation d:
+// A plate at normal incidence: of the light (half of it passes the first polarizer) |a_o - a_e|^2/4 passes the
+// second, a_o = T_o rho^m of order m, with T = 1 - R, rho_o = R_o, each order with 2m + 1 times the retardation d:
 // sum over m of |T_o R_o^m - T_e R_e^m exp(i (2m + 1) d)|^2/4 (Born & Wolf 15.4.2).
 #macro Step_Radiance(Lambda, Retardation_589)
   #local R_O = Normal_R(1, Quartz_O(Lambda));

@@ -1,6 +1,7 @@
-// Internal conical refraction in aragonite: a plate of 30 mm across a binormal makes a ring of 1.00 mm of a pinhole, by a
-// cone of 1.90 deg (Lloyd saw 1 deg 50' in 1832). Look for: a closed ring, the hole's own place at its left end. Its
-// polarization turns half as fast as the place on it: up and down at the left end, to the right at the right end.
+// Internal conical refraction in aragonite: a plate of 30 mm across a binormal makes a ring of 1.00 mm of a
+// pinhole, by a cone of 1.90 deg (Lloyd saw 1 deg 50' in 1832). Look for: a closed ring, the hole's own place at
+// its left end. Its polarization turns half as fast as the place on it: up and down at the left end, to the right
+// at the right end.
 #version unofficial 3.7;
 #declare Lambda = 589.3;
 #ifndef (Azimuths) #declare Azimuths = 90; #end

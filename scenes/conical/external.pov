@@ -1,8 +1,9 @@
-// External conical refraction in aragonite: a plate cut across a biradial, a pinhole at its far side, and the eye close to a pinhole
-// straight across at its near side. One ray leads from hole to hole, but a cone of wave normals belongs to it (1.74 deg), and each of
-// them leaves in its own direction: the eye sees the hole as a ring, 2.92 deg across. It is not where the
-// hole is: one point of the ring, in the middle of the picture, is. Each of its points is linearly polarized,
-// along the line that joins it to the middle. Nothing in here samples a cone: every pixel's two waves are enough.
+// External conical refraction in aragonite: a plate cut across a biradial, a pinhole at its far side, and the eye
+// close to a pinhole straight across at its near side. One ray leads from hole to hole, but a cone of wave normals
+// belongs to it (1.74 deg), and each of them leaves in its own direction: the eye sees the hole as a ring, 2.92
+// deg across. It is not where the hole is: one point of the ring, in the middle of the picture, is. Each of its
+// points is linearly polarized, along the line that joins it to the middle. Nothing in here samples a cone: every
+// pixel's two waves are enough.
 #version unofficial 3.7;
 #include "closed_forms.inc"
 #declare Lambda = 589.3;
@@ -24,8 +25,9 @@ box {
 }
 
 // ---- what it must give ----------------------------------------------------------------------------
-// With E = (sin psi, cos psi) across the biradial the tangential part of k is Span sin psi (sin psi, cos psi), outside and inside.
-// One wave of the two meets the hole: half the light. Faces: as at normal incidence, for at most 3 deg of it (to 2e-3).
+// With E = (sin psi, cos psi) across the biradial the tangential part of k is Span sin psi (sin psi, cos psi),
+// outside and inside. One wave of the two meets the hole: half the light. Faces: as at normal incidence, for at
+// most 3 deg of it (to 2e-3).
 #declare Span = N_B*Tan_Normal_Cone(N_A, N_B, N_C);
 #declare Half_Light = pow(1 - Normal_R(1, N_B), 2)/2;
 #macro Expect_Point(Azimuth_Deg, Factor, On)

@@ -1,6 +1,6 @@
-// Internal conical refraction in KTP, the crystal of today's experiments, in the red of a helium-neon laser: 30 mm across a
-// binormal, which lies 18.228 deg from gamma's axis c by Kato and Takaoka's indices. If the plate were cut 0.03 deg
-// off, there would be two dots and no ring. Look for: a ring of 0.97 mm.
+// Internal conical refraction in KTP, the crystal of today's experiments, in the red of a helium-neon laser: 30 mm
+// across a binormal, which lies 18.228 deg from gamma's axis c by Kato and Takaoka's indices. If the plate were
+// cut 0.03 deg off, there would be two dots and no ring. Look for: a ring of 0.97 mm.
 #version unofficial 3.7;
 #include "minerals.inc"
 #declare Lambda = 632.8;

@@ -1,7 +1,7 @@
-// A standard brilliant of diamond, Tolkowsky's proportions (1919), face up. What enters the table is totally reflected twice by
-// the pavilion and comes back through table and crown: brilliance. It leaves at angles that depend on colour: fire.
-// Look for: an eightfold pattern of facets that see a lamp and facets that see the dim room; the middle, where the smallest lamps are
-// met in yellow and green only; blue and orange rims all about.
+// A standard brilliant of diamond, Tolkowsky's proportions (1919), face up. What enters the table is totally
+// reflected twice by the pavilion and comes back through table and crown: brilliance. It leaves at angles that
+// depend on colour: fire. Look for: an eightfold pattern of facets that see a lamp and facets that see the dim
+// room; the middle, where the smallest lamps are met in yellow and green only; blue and orange rims all about.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "minerals.inc"
@@ -9,7 +9,8 @@
 #declare Diameter = 6.5;      // mm: one carat
 #declare View = 7.2;          // mm
 #declare Dim = 0.06;
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 10 }  max_trace_level 24  adc_bailout 2e-3  exposure 1.5 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 10 }
+  max_trace_level 24  adc_bailout 2e-3  exposure 1.5 }
 #include "face_up.inc"
 object { Standard_Brilliant(Diameter, 0.53, 34.5, 40.75)  interior { M_Diamond } }
 

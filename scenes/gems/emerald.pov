@@ -1,6 +1,6 @@
-// A step cut (emerald cut) of emerald, its optic axis along its length, face up: the old cut for a soft, coloured stone. Broad steps
-// lie like stairs in the depth. Look for: green, deeper where the way is longer; the middle of the keel, where light goes straight
-// across and up again.
+// A step cut (emerald cut) of emerald, its optic axis along its length, face up: the old cut for a soft, coloured
+// stone. Broad steps lie like stairs in the depth. Look for: green, deeper where the way is longer; the middle of
+// the keel, where light goes straight across and up again.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "minerals.inc"
@@ -9,7 +9,8 @@
 #declare Length = 8;          // mm
 #declare View = 9;            // mm
 #declare Dim = 0.1;
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20 }  max_trace_level 14  adc_bailout 3e-3  exposure 2 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20 }
+  max_trace_level 14  adc_bailout 3e-3  exposure 2 }
 #include "face_up.inc"
 #declare Pavilion = 60;       // deg; the steps below are 8 and 16 deg flatter
 object { Step_Cut(Width, Length, 0.6, 0.15, 40, Pavilion, 0.04)  interior { M_Emerald optic_axis z } }

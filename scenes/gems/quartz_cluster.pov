@@ -1,13 +1,14 @@
-// A group of quartz crystals from one base of rock: prism m {10-10}, the two rhombohedra r {10-11} and z {01-11} of unlike size, and on the
-// tallest ones the trapezohedron x {51-61} that tells right from left quartz. The medium is as handed as the shape. Clear
-// and dark backgrounds show through each other; look for: doubled edges where a crystal is seen through another, total
-// reflection in the tips, faces r larger than faces z.
+// A group of quartz crystals from one base of rock: prism m {10-10}, the two rhombohedra r {10-11} and z {01-11}
+// of unlike size, and on the tallest ones the trapezohedron x {51-61} that tells right from left quartz. The
+// medium is as handed as the shape. Clear and dark backgrounds show through each other; look for: doubled edges
+// where a crystal is seen through another, total reflection in the tips, faces r larger than faces z.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
 #include "minerals.inc"
 #include "closed_forms.inc"
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 50 }  max_trace_level 14  adc_bailout 1e-2  exposure 1.4 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 50 }
+  max_trace_level 14  adc_bailout 1e-2  exposure 1.4 }
 
 #declare Sky = 0.25;
 camera { location <0, 26, -90>  right x  up y  angle 34  look_at <0, 17, 0> }
@@ -17,7 +18,8 @@ polygon { 5, <0, 0, -20>, <0, 0, 20>, <0, 50, 20>, <0, 50, -20>, <0, 0, -20>  ro
 polygon { 5, <-14, 6, 0>, <14, 6, 0>, <14, 44, 0>, <-14, 44, 0>, <-14, 6, 0>  translate <16, 0, 60>  luminous { spectrum { d65 scale 0.8 } } }
 polygon { 5, <-60, 0, -30>, <60, 0, -30>, <60, 0, 80>, <-60, 0, 80>, <-60, 0, -30>  translate -0.5*y  luminous { spectrum { d65 scale 0.03 } } }
 
-// Cell: a 4.916, c 5.4054 Angstroem (Levien, Prewitt & Weidner, Am. Mineral. 65, 920 (1980)). The lower half is cut off.
+// Cell: a 4.916, c 5.4054 Angstroem (Levien, Prewitt & Weidner, Am. Mineral. 65, 920 (1980)). The lower half is
+// cut off.
 #macro Point(Radius, Height, Hand)
   intersection {
     crystal {

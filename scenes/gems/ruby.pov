@@ -1,6 +1,7 @@
-// A brilliant of ruby, its optic axis along z (up in the picture), face up. Two broad bands, in the violet and in the green, leave red and a
-// trace of blue; light that vibrates across the axis loses more of the green and orange than light along it. Look for: purplish
-// reds of all depths, redder where the way is long; the red fluorescence of ruby is not in here.
+// A brilliant of ruby, its optic axis along z (up in the picture), face up. Two broad bands, in the violet and in
+// the green, leave red and a trace of blue; light that vibrates across the axis loses more of the green and orange
+// than light along it. Look for: purplish reds of all depths, redder where the way is long; the red fluorescence
+// of ruby is not in here.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "minerals.inc"
@@ -8,7 +9,8 @@
 #declare Diameter = 6;        // mm
 #declare View = 6.6;          // mm
 #declare Dim = 0.1;
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20 }  max_trace_level 14  adc_bailout 5e-3  exposure 2 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20 }
+  max_trace_level 14  adc_bailout 5e-3  exposure 2 }
 #include "face_up.inc"
 #declare Pavilion = 41;       // deg
 #declare Table = 0.55;
@@ -16,7 +18,8 @@ global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20
 object { Standard_Brilliant(Diameter, Table, 35, Pavilion)  interior { M_Ruby_Of(Content)  optic_axis z } }
 
 // ---- what it must give ----------------------------------------------------------------------------
-// In the plane of x and y both waves are as in glass: along z extraordinary, across it ordinary, each with its Beer's law.
+// In the plane of x and y both waves are as in glass: along z extraordinary, across it ordinary, each with its
+// Beer's law.
 #declare R = Diameter/2;
 #declare Edge = R*0.02;
 #declare Top = Edge + R*(1 - Table)*tan(radians(35));

@@ -1,6 +1,7 @@
-// A brilliant of zircon, its optic axis in the girdle plane along x, face up. The stone is strongly birefringent (0.059): its back
-// facets are seen twice, and the two images are polarized across each other. A jeweller tells zircon from diamond by this. Look for:
-// doubled edges on the left and right of the table, single ones above and below, and lamps in pairs.
+// A brilliant of zircon, its optic axis in the girdle plane along x, face up. The stone is strongly birefringent
+// (0.059): its back facets are seen twice, and the two images are polarized across each other. A jeweller tells
+// zircon from diamond by this. Look for: doubled edges on the left and right of the table, single ones above and
+// below, and lamps in pairs.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "minerals.inc"
@@ -8,7 +9,8 @@
 #declare Diameter = 8;        // mm
 #declare View = 8.8;          // mm
 #declare Dim = 0.06;
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 50 }  max_trace_level 14  adc_bailout 5e-3  exposure 2 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 50 }
+  max_trace_level 14  adc_bailout 5e-3  exposure 2 }
 #include "face_up.inc"
 #declare Pavilion = 41;       // deg
 object { Standard_Brilliant(Diameter, 0.55, 35, Pavilion)  interior { M_Zircon optic_axis x } }
@@ -16,7 +18,8 @@ object { Standard_Brilliant(Diameter, 0.55, 35, Pavilion)  interior { M_Zircon o
 // ---- what it must give ----------------------------------------------------------------------------
 #declare N_O = 1.925; #declare N_E = 1.984;      // Handbook of Mineralogy
 #declare R = Diameter/2;
-// Ordinary: across the plane of x and y, as in glass. Extraordinary: in it; k from facet to facet by its tangential component.
+// Ordinary: across the plane of x and y, as in glass. Extraordinary: in it; k from facet to facet by its
+// tangential component.
 #declare Out_O = N_O*sin(radians(4*Pavilion));
 #declare C = cos(radians(Pavilion));
 #declare S = sin(radians(Pavilion));

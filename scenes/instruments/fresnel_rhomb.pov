@@ -1,8 +1,8 @@
-// Fresnel's rhomb (1822): two total reflections, each of which holds the light in the plane of incidence back by 45 deg
-// against that across it, turn light polarized at 45 deg into circular light, at every wavelength that the
+// Fresnel's rhomb (1822): two total reflections, each of which holds the light in the plane of incidence back by
+// 45 deg against that across it, turn light polarized at 45 deg into circular light, at every wavelength that the
 // glass has this index for. n = 1.49661 is the smallest index that does so, at 51.782 deg, where the shift is
-// greatest and hardly depends on the angle. Look for: the lamp shows through, moved sideways by the rhomb, and
-// is equally bright behind an analyzer (the polygons on its lower half) however that is turned; beside it the bare
+// greatest and hardly depends on the angle. Look for: the lamp shows through, moved sideways by the rhomb, and is
+// equally bright behind an analyzer (the polygons on its lower half) however that is turned; beside it the bare
 // lamp, which a crossed analyzer puts out.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
@@ -37,8 +37,9 @@ polygon { 5, <-14, -8, 2>, <14, -8, 2>, <14, 8, 2>, <-14, 8, 2>, <-14, -8, 2>
 #end
 
 // ---- what it must give ----------------------------------------------------------------------------
-// tan(d/2) = cos th sqrt(sin^2 th - 1/n^2)/sin^2 th (Fresnel; Born & Wolf 1.5.4): d = 45 deg. Order m of the reflections
-// between the ends passes 2m + 1 times 90 deg. The lamp is at +45 deg; what lies in the plane (x) lags, hence left circular.
+// tan(d/2) = cos th sqrt(sin^2 th - 1/n^2)/sin^2 th (Fresnel; Born & Wolf 1.5.4): d = 45 deg. Order m of the
+// reflections between the ends passes 2m + 1 times 90 deg. The lamp is at +45 deg; what lies in the plane (x)
+// lags, hence left circular.
 #declare R = Normal_R(1, N);
 #declare Middle = From + Width/2;
 #declare Sine_2 = pow(sin(radians(Incidence)), 2);

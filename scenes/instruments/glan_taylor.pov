@@ -1,7 +1,7 @@
-// Glan and Taylor's polarizer: two prisms of calcite with an air gap at 40 deg, their optic axis in the plane of the picture's
-// right and the light. The ordinary wave is reflected totally (critical angle 37.1 deg), the extraordinary one
-// passes close to Brewster's angle. Look for: the lamp through the prism at about 0.4 of its radiance, wholly polarized to
-// the right: the crossed analyzer over the lower half makes it black.
+// Glan and Taylor's polarizer: two prisms of calcite with an air gap at 40 deg, their optic axis in the plane of
+// the picture's right and the light. The ordinary wave is reflected totally (critical angle 37.1 deg), the
+// extraordinary one passes close to Brewster's angle. Look for: the lamp through the prism at about 0.4 of its
+// radiance, wholly polarized to the right: the crossed analyzer over the lower half makes it black.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
@@ -30,8 +30,8 @@ box { <-6, -5, -Back>, <-5, 5, Back>  interior { Black }  optical_contact }
 box { <5, -5, -Back>, <6, 5, Back>  interior { Black }  optical_contact }
 
 // ---- what it must give ----------------------------------------------------------------------------
-// Each face of the gap passes T_Face of the extraordinary wave; all orders in the gap, then all orders between the two ends
-// (what the gap reflects leaves sideways).
+// Each face of the gap passes T_Face of the extraordinary wave; all orders in the gap, then all orders between the
+// two ends (what the gap reflects leaves sideways).
 #declare T_Face = P_Face_T(N_E*N_E, N_O*N_O, 1, 1, -N_E*sin(radians(Tilt)), Tilt);
 #declare T_Gap = T_Face/(2 - T_Face);
 #declare R_End = Normal_R(1, N_E);

@@ -1,7 +1,8 @@
-// Quarter-wave (above) and half-wave plates (below) of quartz, zero order, in sodium light that is polarized to the right,
-// their optic axes at 0, 15, 30 and 45 deg. A crossed analyzer lies over the middle of the picture. Look for: behind the
-// analyzer nothing at 0 deg; from the quarter-wave plates up to half, from the half-wave plates up to all the light.
-// The half-wave plates turn the plane by twice their angle; the quarter-wave plate at 45 deg makes circular light.
+// Quarter-wave (above) and half-wave plates (below) of quartz, zero order, in sodium light that is polarized to
+// the right, their optic axes at 0, 15, 30 and 45 deg. A crossed analyzer lies over the middle of the picture.
+// Look for: behind the analyzer nothing at 0 deg; from the quarter-wave plates up to half, from the half-wave
+// plates up to all the light. The half-wave plates turn the plane by twice their angle; the quarter-wave plate at
+// 45 deg makes circular light.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
@@ -29,8 +30,8 @@ polygon { 5, <-9.8, -5, -1>, <9.8, -5, -1>, <9.8, 5, -1>, <-9.8, 5, -1>, <-9.8, 
 #end
 
 // ---- what it must give ----------------------------------------------------------------------------
-// Jones: along the axis (1 - R_e) cos a exp(i d), across it -(1 - R_o) sin a; order m of the reflections between the faces has
-// R_e^m, R_o^m and (2m + 1) d. Stokes vectors of the orders add; turned back by a.
+// Jones: along the axis (1 - R_e) cos a exp(i d), across it -(1 - R_o) sin a; order m of the reflections between
+// the faces has R_e^m, R_o^m and (2m + 1) d. Stokes vectors of the orders add; turned back by a.
 #macro Expect_Plate(I, Kind)
   #local A = radians(15*I);
   #local S_0 = 0; #local S_1 = 0; #local S_2 = 0; #local S_3 = 0;

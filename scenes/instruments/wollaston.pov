@@ -1,7 +1,8 @@
-// Wollaston's prism: two wedges of calcite, cemented, with their optic axes across the light and across each other. The light
-// polarized to the right is extraordinary in the near wedge and ordinary in the far one, that polarized up
-// the other way round: the slanted plane bends them to opposite sides. Look for: two images of the stripes, 5.3 deg
-// apart, polarized across each other, with faint ones by double reflection between them; beside the prism the stripes.
+// Wollaston's prism: two wedges of calcite, cemented, with their optic axes across the light and across each
+// other. The light polarized to the right is extraordinary in the near wedge and ordinary in the far one, that
+// polarized up the other way round: the slanted plane bends them to opposite sides. Look for: two images of the
+// stripes, 5.3 deg apart, polarized across each other, with faint ones by double reflection between them; beside
+// the prism the stripes.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
@@ -27,8 +28,9 @@ prism { -6, 6, 5, <-10, Slope>, <10, -Slope>, <10, Back>, <-10, Back>, <-10, Slo
   interior { M_Calcite optic_axis y }  optical_contact }
 
 // ---- what it must give ----------------------------------------------------------------------------
-// From the camera: normal to the first face, then the plane whose normal is (sin Tilt, 0, cos Tilt), then out at the last
-// face by k_x. Both waves are as in isotropic media but for the extraordinary one's impedance at the plane (closed_forms.inc).
+// From the camera: normal to the first face, then the plane whose normal is (sin Tilt, 0, cos Tilt), then out at
+// the last face by k_x. Both waves are as in isotropic media but for the extraordinary one's impedance at the
+// plane (closed_forms.inc).
 #declare N_O = Calcite_O(589.3);
 #declare N_E = Calcite_E(589.3);
 #declare Sine = sin(radians(Tilt));

@@ -1,12 +1,14 @@
-// Three cubes of 5 mm of one cordierite (iolite), looked through along a, b and c: each before a lamp that is polarized to the right
-// (above) and up (below), so that each of the six fields shows what one axis passes. Look for: three colours in six fields: blue
-// along b, violet along a, nearly colourless along c; each pair of fields of one axis is the same in both its cubes.
+// Three cubes of 5 mm of one cordierite (iolite), looked through along a, b and c: each before a lamp that is
+// polarized to the right (above) and up (below), so that each of the six fields shows what one axis passes. Look
+// for: three colours in six fields: blue along b, violet along a, nearly colourless along c; each pair of fields
+// of one axis is the same in both its cubes.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
 #include "minerals.inc"
 #include "closed_forms.inc"
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20 }  max_trace_level 20  adc_bailout 1e-7  exposure 2 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20 }
+  max_trace_level 20  adc_bailout 1e-7  exposure 2 }
 
 #declare Thickness = 5;       // mm
 #declare View = 22;           // mm

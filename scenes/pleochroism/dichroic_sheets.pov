@@ -1,12 +1,14 @@
-// Dichroic sheets, as of stretched polyvinyl alcohol with iodine: a medium of one index that absorbs what vibrates along its
-// chains 500 times as strongly as the rest. Two sheets over a plain lamp: crossed on the left, parallel on the right, at 45 deg in the
-// middle. No polarizer of the scene language is in here. Look for: black, half of one sheet, one sheet.
+// Dichroic sheets, as of stretched polyvinyl alcohol with iodine: a medium of one index that absorbs what vibrates
+// along its chains 500 times as strongly as the rest. Two sheets over a plain lamp: crossed on the left, parallel
+// on the right, at 45 deg in the middle. No polarizer of the scene language is in here. Look for: black, half of
+// one sheet, one sheet.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
 #include "minerals.inc"
 #include "closed_forms.inc"
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 50 }  max_trace_level 20  adc_bailout 1e-8  exposure 1.6 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 50 }
+  max_trace_level 20  adc_bailout 1e-8  exposure 1.6 }
 
 #declare Thickness = 0.1;     // mm
 #declare View = 20;           // mm

@@ -1,14 +1,15 @@
-// A plate of green tourmaline, 8 mm, its optic axis up and down, before a lamp that is polarized up (left), to the right (right)
-// and not at all (middle). What vibrates across the axis is absorbed ten times as strongly: the plate is a
-// polarizer (Biot 1815), as in tourmaline tongs. Below, a second plate lies across the first, so that all light is ordinary
-// in one of the two. Look for: left pale green, right and below dark, but for the green between tourmaline's two
-// bands, of which one plate lets 5 % through.
+// A plate of green tourmaline, 8 mm, its optic axis up and down, before a lamp that is polarized up (left), to the
+// right (right) and not at all (middle). What vibrates across the axis is absorbed ten times as strongly: the
+// plate is a polarizer (Biot 1815), as in tourmaline tongs. Below, a second plate lies across the first, so that
+// all light is ordinary in one of the two. Look for: left pale green, right and below dark, but for the green
+// between tourmaline's two bands, of which one plate lets 5 % through.
 #version unofficial 3.7;
 #declare Mm_Per_Unit = 1;
 #include "units.inc"
 #include "minerals.inc"
 #include "closed_forms.inc"
-global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20 }  max_trace_level 20  adc_bailout 1e-5  exposure 1.6 }
+global_settings { mm_per_unit Mm_Per_Unit  wavelengths { from 400 to 700 step 20 }
+  max_trace_level 20  adc_bailout 1e-5  exposure 1.6 }
 
 #declare Thickness = 8;       // mm
 #declare View = 20;           // mm
@@ -21,8 +22,8 @@ box { <-8.5, -7.5, -Thickness>, <8.5, 7.5, 0>  interior { M_Tourmaline_Green opt
 box { <-8.5, -7.5, -Thickness>, <8.5, -2, 0>  translate -10*z  interior { M_Tourmaline_Green optic_axis x } }
 
 // ---- what it must give ----------------------------------------------------------------------------
-// Beer's law along each axis, with Fresnel at both faces, all orders: (1 - R)^2 t/(1 - (R t)^2). Two plates: all orders
-// between them as well, each with its own reflectance R + R (1 - R)^2 t^2/(1 - (R t)^2).
+// Beer's law along each axis, with Fresnel at both faces, all orders: (1 - R)^2 t/(1 - (R t)^2). Two plates: all
+// orders between them as well, each with its own reflectance R + R (1 - R)^2 t^2/(1 - (R t)^2).
 #macro Alpha_O(Lambda) (M_Band(Lambda, 2.0, 720, 5000) + M_Band(Lambda, 2.0, 415, 6000)) #end
 #macro Alpha_E(Lambda) (M_Band(Lambda, 0.2, 720, 5000) + M_Band(Lambda, 0.2, 415, 6000)) #end
 #macro Plate_R(N, T) (Normal_R(1, N)*(1 + pow((1 - Normal_R(1, N))*T, 2)/(1 - pow(Normal_R(1, N)*T, 2)))) #end
