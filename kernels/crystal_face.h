@@ -210,6 +210,22 @@ FUNCTION void take_azimuth(PRIVATE const SceneView* view, PRIVATE const WaveMedi
   }
 }
 
+// Share of unpolarized light's intensity in one wave.
+FUNCTION real wave_weight(PRIVATE const SceneView* view, PRIVATE const cplx* amplitude) {
+  real w = norm2(amplitude[0]);
+  if (has(full_jones, view)) w += norm2(amplitude[1]);
+  return lanes(0.5f) * w;
+}
+
+// Lanes worth a path. If there are none, w is cut off here, before the path is made; else keep_bright does it.
+FUNCTION int worth_following(PRIVATE const SceneView* view, PRIVATE const Path* from, real w, PRIVATE Gathered* sum) {
+  mask dim = w <= lanes(view->adc_bailout);  // not a number is not dim: keep_bright counts it
+  if (from->level >= view->max_trace_level) dim = w <= FAR_MM;
+  if (any_lane(not_mask(dim))) return 1;
+  sum->cut_off += w;
+  return 0;
+}
+
 // The two waves of a crystal from where `from` stands: together, apart, or shares of both. gap: wavelengths of vacuum that
 // wave 1 gains per length along the mean ray.
 FUNCTION void send_waves(PRIVATE const SceneView* view, PRIVATE const Path* from, PRIVATE const WaveMedium* m, PRIVATE Wave* w,
@@ -222,13 +238,16 @@ FUNCTION void send_waves(PRIVATE const SceneView* view, PRIVATE const Path* from
   if (!any_lane(mu < lanes(1))) return;
   if (has(conical_rays, view)) take_azimuth(view, m, w, gap, amplitude, sum);
   int ordinary = m->kind == WAVES_UNIAXIAL ? CARRIES_ORDINARY : CARRIES_ONE;
-  send_single(view, from, &w[0], amplitude[0], lanes(1) - mu, ordinary, out);
-  send_single(view, from, &w[1], amplitude[1], lanes(1) - mu, CARRIES_ONE, out);
+  for (int i = 0; i < 2; ++i) {
+    if (!worth_following(view, from, (lanes(1) - mu) * wave_weight(view, amplitude[i]), sum)) continue;
+    send_single(view, from, &w[i], amplitude[i], lanes(1) - mu, i == 0 ? ordinary : CARRIES_ONE, out);
+  }
 }
 
 FUNCTION void send_crystal(PRIVATE const SceneView* view, PRIVATE const Path* from, PRIVATE const FaceAxes* f,
                            PRIVATE const WaveMedium* m, PRIVATE const WavePair* waves, cplx amplitude[2][2], PRIVATE Children* out,
                            PRIVATE Gathered* sum) {
+  if (!worth_following(view, from, wave_weight(view, amplitude[0]) + wave_weight(view, amplitude[1]), sum)) return;
   Wave w[2];
   for (int i = 0; i < 2; ++i) w[i] = wave_of_mode(f, &waves->mode[i]);
   // k1 - k0 runs along the normal
