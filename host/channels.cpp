@@ -18,8 +18,8 @@ bool transport_is_colourless(const Scene& scene) {
       if (std::any_of(medium.k[axis].begin(), medium.k[axis].end(), [](double k) { return k != 0; })) return false;
     }
     // so does the retardance between two waves that add as amplitudes
-    const bool crystal = medium.symmetry != Medium::Symmetry::isotropic && scene.settings.polarization;
-    if (crystal && (scene.settings.coherence || medium.is_active() || medium.frame.size() > 1)) return false;
+    const bool crystal = (medium.symmetry != Medium::Symmetry::isotropic || medium.circular_waves) && scene.settings.polarization;
+    if (crystal && (scene.settings.coherence || medium.is_active() || medium.circular_waves || medium.frame.size() > 1)) return false;
     if (!constant(medium.rotation_deg_per_mm)) return false;
   }
   return std::all_of(scene.polarizers.begin(), scene.polarizers.end(), [](const Polarizer& p) {

@@ -101,7 +101,7 @@ double mean(double a, double b, double c) { return (a + b + c) / 3; }
 }  // namespace
 
 int waves_of(const Medium& m) {
-  if (m.symmetry == Medium::Symmetry::isotropic) return WAVES_ISOTROPIC;
+  if (m.symmetry == Medium::Symmetry::isotropic) return m.circular_waves ? WAVES_CHIRAL : WAVES_ISOTROPIC;
   return m.symmetry == Medium::Symmetry::uniaxial && !m.is_active() ? WAVES_UNIAXIAL : WAVES_GENERAL;
 }
 
@@ -116,7 +116,7 @@ Samples reference_index(const Medium& m) {
   return out;
 }
 
-std::vector<Samples> crystal_rows(const Medium& m) {
+std::vector<Samples> crystal_rows(const Medium& m, const std::vector<double>& lambda_nm) {
   Rows rows;
   const int waves = waves_of(m);
   if (waves == WAVES_ISOTROPIC) return {};
@@ -125,6 +125,8 @@ std::vector<Samples> crystal_rows(const Medium& m) {
     rows.add(0, in_world(m.frame_at(i), diagonal(loss(0), loss(1), loss(2))));
     if (waves == WAVES_UNIAXIAL) add_uniaxial(m, i, rows);
     if (waves == WAVES_GENERAL) add_general(m, i, rows);
+    // kappa = rho lambda/2 pi
+    if (waves == WAVES_CHIRAL) rows.add(6, m.rotation_deg_per_mm[i] / 360 * lambda_nm[i] * 1e-6);
   }
   return rows.rows;
 }
@@ -133,6 +135,7 @@ Medium without_polarization(const Medium& m) {
   Medium out = m;
   out.symmetry = Medium::Symmetry::isotropic;
   out.gyration = {};
+  out.circular_waves = false;
   for (std::size_t i = 0; i < m.n[0].size(); ++i) {
     const double n = mean(m.n[0][i], m.n[1][i], m.n[2][i]), k = mean(m.k[0][i], m.k[1][i], m.k[2][i]);
     for (int a = 0; a < 3; ++a) {

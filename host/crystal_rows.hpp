@@ -13,7 +13,7 @@ int waves_of(const Medium& medium);
 Samples reference_index(const Medium& medium);
 
 // The rows from CRYSTAL_ROW_IM_EPS on; nothing for isotropic media.
-std::vector<Samples> crystal_rows(const Medium& medium);
+std::vector<Samples> crystal_rows(const Medium& medium, const std::vector<double>& lambda_nm);
 
 // The isotropic medium that stands for a crystal where polarization is off: mean index and extinction.
 Medium without_polarization(const Medium& medium);

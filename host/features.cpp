@@ -82,7 +82,7 @@ void decide_crystal(const Scene& scene, const Medium& medium, const std::string&
   }
   d.call(FEATURE_birefringence, where);
   if (waves_of(medium) == WAVES_GENERAL) d.call(FEATURE_general_waves, where);
-  if (medium.is_active()) d.call(FEATURE_gyration, where);
+  if (medium.is_active() || medium.circular_waves) d.call(FEATURE_gyration, where);
   for (const Samples& k : medium.k)
     if (any_nonzero(k)) d.call(FEATURE_pleochroism, where);
   if (scene.settings.coherence) {
@@ -106,7 +106,7 @@ void decide_media(const Scene& scene, Decision& d) {
     decide_crystal(scene, medium, where, d);
     const bool absorbs = any_nonzero(medium.k[0]) || any_nonzero(medium.k[1]) || any_nonzero(medium.k[2]);
     if (absorbs && !is_crystal(scene, medium)) d.call(FEATURE_absorption, where);
-    if (!any_nonzero(medium.rotation_deg_per_mm)) continue;
+    if (!any_nonzero(medium.rotation_deg_per_mm) || is_crystal(scene, medium)) continue;
     if (d.on(FEATURE_polarization)) {
       d.call(FEATURE_rotation, where);
     } else {

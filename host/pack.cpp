@@ -132,7 +132,7 @@ class Packer {
     transport_row(absorb);
     transport_row(hi);
     transport_row(lo);
-    for (const Samples& values : crystal_rows(medium)) transport_row(values);
+    for (const Samples& values : crystal_rows(medium, scene_.lambda_nm)) transport_row(values);
     return first;
   }
 

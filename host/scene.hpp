@@ -43,6 +43,7 @@ struct Medium {
   std::array<Samples, 3> n;  // principal refractive indices along the axes of `frame`; isotropic: all equal
   std::array<Samples, 3> k;  // extinction coefficients (0: transparent); absorb_per_mm = 4 pi k / lambda
   Samples rotation_deg_per_mm;  // isotropic media: of the plane of polarization; > 0 dextro; else all 0
+  bool circular_waves = false;  // isotropic and active: its two circular waves instead of one ray of the mean index
   // Optical activity of anisotropic media: g11 g22 g33 g23 g13 g12 on the axes of `frame`,
   // D = eps E + i g(s) s x E with g(s) = g_ij s_i s_j, so that light along s turns by pi g(s)/(n lambda),
   // > 0 dextro. All empty: not active.

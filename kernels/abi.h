@@ -59,6 +59,7 @@ enum {
   // uniaxial: optic axis x y z, n_e^2, n_e^2 - n_o^2, 1/n_e^2 - 1/n_o^2
   UNIAXIAL_ROW_AXIS = CRYSTAL_ROW_IM_EPS + 6, UNIAXIAL_ROW_EPS_E = UNIAXIAL_ROW_AXIS + 3, UNIAXIAL_ROW_D_EPS,
   UNIAXIAL_ROW_D_ETA,
+  CHIRAL_ROW_KAPPA = CRYSTAL_ROW_IM_EPS + 6,  // isotropic, active: half the difference of the circular waves' indices
   // general: n2bar eta - 1, the gyration term, zeta (waves.h)
   GENERAL_ROW_ATIL = CRYSTAL_ROW_IM_EPS + 6, GENERAL_ROW_GQ = GENERAL_ROW_ATIL + 6, GENERAL_ROW_ZETA = GENERAL_ROW_GQ + 6,
   // camera scalars; FOOTPRINT: size of a pixel in mm at the camera, and what it grows by per mm of distance

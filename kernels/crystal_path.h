@@ -24,6 +24,7 @@ FUNCTION int kind_of_waves(PRIVATE const SceneView* view, int medium) {
   if (!has(birefringence, view)) return WAVES_ISOTROPIC;
   if (!has(polarization, view)) return WAVES_ISOTROPIC;
   if (has(general_waves, view) && kind == WAVES_GENERAL) return WAVES_GENERAL;
+  if (has(gyration, view) && kind == WAVES_CHIRAL) return WAVES_CHIRAL;
   return kind == WAVES_UNIAXIAL ? WAVES_UNIAXIAL : WAVES_ISOTROPIC;
 }
 
@@ -37,7 +38,7 @@ FUNCTION WaveMedium wave_medium(PRIVATE const SceneView* view, int medium) {
   m.active = has(gyration, view) && record[MEDIUM_ACTIVE];
   m.n = spectral(view, row + MEDIUM_ROW_N);
   m.eps = m.n * m.n;
-  m.kappa = lanes(0);
+  m.kappa = m.kind == WAVES_CHIRAL ? spectral(view, row + CHIRAL_ROW_KAPPA) : lanes(0);
   if (m.kind == WAVES_UNIAXIAL) {
     m.axis = vec(spectral(view, row + UNIAXIAL_ROW_AXIS), spectral(view, row + UNIAXIAL_ROW_AXIS + 1),
                  spectral(view, row + UNIAXIAL_ROW_AXIS + 2));

@@ -20,7 +20,8 @@ double segments_per_second(const RenderReport& report) {
 std::string counters_text(const RenderReport& report) {
   std::string text = fmt::format("not a number {}, energy {}, stack {}, Stokes {}", report.nan_count,
                                  report.energy_count, report.stack_count, report.stokes_count);
-  if (report.fallback_count > 0) text += fmt::format(", precise wave solver {}", report.fallback_count);
+  if (report.fallback_count > 0) text += fmt::format(", precise wave solver {} (in {})", report.fallback_count,
+                                                        report.precise_real);
   return text;
 }
 

@@ -177,6 +177,8 @@ principal::Axis principal_axis(Symmetry symmetry, int i) {
 }
 
 void check_words(Context& context, const RawMedium& raw, Symmetry symmetry) {
+  if (raw.circular_waves && (symmetry != Symmetry::isotropic || raw.rotation.kind == RotationFormula::Kind::none))
+    context.error(raw.circular_where, "'circular_waves' are those of an isotropic medium with a 'rotation { }'; crystals have their own");
   check_absorption(context, raw.absorption, "absorption", symmetry);
   check_absorption(context, raw.extinction, "extinction", symmetry);
   check_activity(context, raw, symmetry);

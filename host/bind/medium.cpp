@@ -108,6 +108,7 @@ Medium make_medium(Context& context, const RawMedium& raw, Symmetry symmetry, Lo
   add_indices(context, raw, m);
   add_extinctions(context, raw, m);
   m.rotation_deg_per_mm = rotation_samples(context, raw);
+  m.circular_waves = raw.circular_waves;
   add_frame_and_gyration(context, raw, m);
   if (raw.left) change_hand(m);
   tell_range(context, raw);
@@ -144,7 +145,7 @@ Medium placed(const BoundInterior& bound, const Orientation& orientation) {
 
 // Media of equal values are one, so that many objects share few.
 int index_of_equal(Context& context, Medium medium) {
-  std::vector<double> key{static_cast<double>(medium.symmetry)};
+  std::vector<double> key{static_cast<double>(medium.symmetry), medium.circular_waves ? 1.0 : 0.0};
   const auto add = [&](const Samples& s) { key.insert(key.end(), s.begin(), s.end()); };
   for (const Samples& s : medium.n) add(s);
   for (const Samples& s : medium.k) add(s);
@@ -197,6 +198,8 @@ void bind_surroundings(Context& context, const sdl::Block& block) {
   if (!bound) return;
   if (bound->medium.symmetry != Symmetry::isotropic)
     return context.error(interior->where, "the surroundings must be isotropic: an 'ior' or 'index { }'");
+  if (bound->medium.circular_waves)
+    return context.error(interior->where, "the surroundings have one ray of the mean index: no 'circular_waves'");
   context.scene.media[0] = bound->medium;
 }
 

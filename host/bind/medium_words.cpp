@@ -147,6 +147,12 @@ void add_crystal_rules(Context* c, RawMedium* r, std::vector<Rule>& rules) {
                    "optical activity in other directions"});
   rules.push_back({"left", "b", [=](const Args& a) { r->left = r->left != (a.numbers[0] != 0); },
                    "the mirror image of what is said: every activity changes its sign"});
+  rules.push_back({"circular_waves", "b",
+                   [=](const Args& a) {
+                     r->circular_waves = a.numbers[0] != 0;
+                     r->circular_where = a.where;
+                   },
+                   "an active isotropic medium's two circular waves, each with its own ray (off: one of the mean index)"});
   rules.push_back({"optic_frame", "{}",
                    [=](const Args& a) {
                      RawOpticFrame& frame = r->optic_frame.emplace();

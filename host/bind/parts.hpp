@@ -136,7 +136,8 @@ struct RawMedium {
   std::optional<RawGyration> gyration;
   std::optional<RawOpticFrame> optic_frame;
   std::optional<Vec3> optic_axis;
-  bool left = false;
+  bool left = false, circular_waves = false;
+  Location circular_where;
   bool vacuum = false;  // where it says no index
   std::array<double, 2> range_nm{};
   Location index_where, rotation_where, optic_axis_where, range_where;

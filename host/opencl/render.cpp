@@ -270,6 +270,7 @@ Frame render(Device& device, const PackedScene& scene, const std::vector<double>
   report.device = device.about.name;
   report.lanes = lanes_on(device, options.kernel);
   report.real = options.kernel.real_double ? "double" : "float";
+  report.precise_real = options.kernel.real_double || device.about.has_fp64 ? "double" : "float, for the device has no fp64";
   check_scene(scene, lambda_nm, weight_nm, report.lanes);
   check_item_count(scene, report.lanes);
   Frame frame = make_frame(scene, lambda_nm, weight_nm);

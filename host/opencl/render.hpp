@@ -51,6 +51,7 @@ struct RenderReport {
   std::uint64_t segments = 0;     // lane-segments traced
   std::uint64_t nan_count = 0, energy_count = 0, stack_count = 0, stokes_count = 0;
   std::uint64_t fallback_count = 0;  // waves that needed the precise solver
+  std::string precise_real;          // its precision: "double", or the kernel's own where the device has no fp64
   double cut_off_mean = 0, cut_off_worst = 0;   // weight of dropped paths relative to a full path, per pixel
   int tiles = 0;
   bool interrupted = false;

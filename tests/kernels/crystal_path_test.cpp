@@ -36,6 +36,11 @@ const Solid solids[] = {
     {"calcite", [](TestScene& s) { s.add_box({-8, -8, -8}, {8, 8, 8}, s.add_crystal(calcite, tilted)); }},
     {"aragonite", [](TestScene& s) { s.add_box({-8, -3, -5}, {8, 3, 5}, s.add_crystal(aragonite, tilted)); }},
     {"quartz", [](TestScene& s) { s.add_box({-8, -3, -5}, {8, 3, 5}, s.add_crystal(quartz, frame_along({0, 0, 1}), quartz_gyration)); }},
+    {"circular waves, strong", [](TestScene& s) {
+       const int medium = s.add_medium(1.52, 0, 1688);
+       s.scene.media[medium].circular_waves = true;
+       s.add_box({-8, -3, -5}, {8, 3, 5}, medium);
+     }},
     {"calcite twin", [](TestScene& s) {
        const int a = s.add_box({-8, -8, -8}, {0, 8, 8}, s.add_crystal(calcite, tilted));
        const int b = s.add_box({0, -8, -8}, {8, 8, 8}, s.add_crystal(calcite, frame_along({-0.3, 0.5, 0.8})));

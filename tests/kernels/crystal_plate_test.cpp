@@ -89,6 +89,45 @@ TEST_CASE("quartz along its axis turns light clockwise for the receiver by rho d
   }
 }
 
+// kappa = rho lambda/2 pi: 300 deg/mm give 4.8e-4.
+TEST_CASE("circular waves of an isotropic medium turn light by rho d; out of a prism they leave at two angles") {
+  const double rho = 300, n = 1.52, kappa = rho / 360 * lambda_mm;
+  for (const Kernels* kernels : all_kernels()) {
+    CAPTURE(kernels->name);
+    Bench bench;
+    bench.light({1, 0, 0});
+    const int medium = bench.scene.add_medium(n, 0, rho);
+    bench.scene.scene.media[medium].circular_waves = true;
+    bench.plate(medium, 3.1);
+    const Light l = bench.look(*kernels);
+    double turned = azimuth_deg(l) + 3.1 * rho;
+    turned -= 180 * std::rint(turned / 180);
+    CHECK(std::fabs(turned) < (kernels->epsilon > 1e-10 ? 5e-3 : 1e-6));
+    const double r = std::pow((n - 1) / (n + 1), 2);
+    CHECK(std::fabs(l.s0 - (1 - r) / (1 + r)) < 300 * kernels->epsilon);   // one impedance for both
+    // a prism of 30 degrees, entered along z: sin(30 + deviation) = (n +- kappa)/2, a bright half-plane far away
+    Bench prism(2);   // a pixel of 0.01 mm could not tell their angles apart: it would spread them by lambda/pixel
+    const int wedge = prism.scene.add_medium(n, 0, rho);
+    prism.scene.scene.media[wedge].circular_waves = true;
+    const double far_mm = 2000, up = std::cos(pi / 6), across = std::sin(pi / 6);
+    prism.scene.add_solid({{{0, 0, 1}, 10}, {{-1, 0, 0}, 10}, {{1, 0, 0}, 10}, {{0, -1, 0}, 10}, {{0, 1, 0}, 10},
+                           {{across, 0, -up}, 0}}, {0, 0, 5}, 30, wedge);
+    const auto lands_mm = [&](double index) { return far_mm * std::tan(std::asin(index / 2) - pi / 6); };
+    const double left = lands_mm(n + kappa), right = lands_mm(n - kappa);
+    REQUIRE(std::fabs(left - right) > 1);
+    const auto seen = [&](double edge) {   // the part of the light that lands beyond the edge, along x
+      Bench copy = prism;
+      copy.scene.add_sheet({-edge - 2000, 0, -far_mm}, {0, 0, 1}, 2000, 500, copy.scene.add_emission(1), {});
+      return copy.look(*kernels, {0, 0, -1}, {0, 0, 60});
+    };
+    const Light both = seen(right - 0.3), one = seen((left + right) / 2), none = seen(left + 0.3);
+    CHECK(both.s0 > 0.85);
+    CHECK(one.s0 == doctest::Approx(both.s0 / 2).epsilon(0.02));
+    CHECK(std::fabs(one.s3) > 0.99 * one.s0);   // one circular wave alone
+    CHECK(none.s0 < 0.05);
+  }
+}
+
 // Order m passes the plate 2m + 1 times: amplitudes T_j R_j^m exp(i (2m + 1) k0 n_j d) of the two waves, at normal incidence.
 TEST_CASE("a wave plate between polarizers at 45 degrees, all reflections included") {
   const double n[2] = {quartz[0], quartz[2]};
