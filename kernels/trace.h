@@ -113,15 +113,22 @@ FUNCTION int goes_on(PRIVATE const SceneView* view, PRIVATE Path* child, PRIVATE
          keep_bright(view, child, sum, counters);
 }
 
-// A face between two media: the path becomes the lighter child, the heavier one waits. False if none is left.
-FUNCTION int through_face(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE const Event* event,
-                          PRIVATE PathStack* stack, PRIVATE Gathered* sum, GLOBAL event_count* counters) {
-  int cell = path->ray.cell, target = cell_beyond(view, path, event);
-  int exits = event->lead == KEY_EXIT || event->met_patch >= 0;
+FUNCTION int leaves_cell(PRIVATE const Event* event) { return event->lead == KEY_EXIT || event->met_patch >= 0; }
+
+FUNCTION Interface interface_between(PRIVATE const SceneView* view, PRIVATE const Event* event, int cell, int target) {
   Interface face;
   face.normal = event->hit.normal;
   face.medium1 = cell_of(view, cell)[CELL_MEDIUM];
   face.medium2 = cell_of(view, target)[CELL_MEDIUM];
+  return face;
+}
+
+// A face between two media: the path becomes the lighter child, the heavier one waits. False if none is left.
+FUNCTION int through_face(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE const Event* event,
+                          PRIVATE PathStack* stack, PRIVATE Gathered* sum, GLOBAL event_count* counters) {
+  int cell = path->ray.cell, target = cell_beyond(view, path, event);
+  int exits = leaves_cell(event);
+  Interface face = interface_between(view, event, cell, target);
   int pinned = path->pinned;
   path->pinned = -1;
   Path refracted = split(view, path, face, sum);
@@ -170,11 +177,8 @@ FUNCTION int follow_lightest(PRIVATE const SceneView* view, PRIVATE Children* ch
 FUNCTION int through_crystal_face(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE const Event* event,
                                   PRIVATE PathStack* stack, PRIVATE Gathered* sum, GLOBAL event_count* counters) {
   int cell = path->ray.cell, target = cell_beyond(view, path, event);
-  int exits = event->lead == KEY_EXIT || event->met_patch >= 0;
-  Interface face;
-  face.normal = event->hit.normal;
-  face.medium1 = cell_of(view, cell)[CELL_MEDIUM];
-  face.medium2 = cell_of(view, target)[CELL_MEDIUM];
+  int exits = leaves_cell(event);
+  Interface face = interface_between(view, event, cell, target);
   Path back = *path;
   ++back.level;
   back.pinned = back.ray.from_sheet = -1;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "tests/kernels/random_rays.hpp"
 #include "tests/kernels/test_scene.hpp"
 #include "tests/kernels/under_test.hpp"
 #include "tests/kernels/vectors.hpp"
@@ -57,20 +58,6 @@ const Solid solids[] = {
        s.join(Patch::Behind::cell_gap, a, x_high, b, x_low);
      }},
 };
-
-std::vector<RayCase> random_rays(int count, double ball_mm, unsigned seed) {
-  Dice dice{seed};
-  std::vector<RayCase> rays;
-  for (int i = 0; i < count; ++i) {
-    const Vec3 from = scaled(10 * ball_mm, any_direction(seed + 2 * i + 1));
-    const Vec3 at = scaled(ball_mm * dice(), any_direction(seed + 2 * i + 2000003));
-    const Vec3 d = unit(plus(at, scaled(-1, from)));
-    Vec3 axis = any_direction(seed + i + 5000011);
-    if (std::fabs(dot(axis, d)) > 0.99) axis = {d.y, d.z, d.x};
-    rays.push_back({from, d, axis});
-  }
-  return rays;
-}
 
 }  // namespace
 
