@@ -268,6 +268,15 @@ FUNCTION void send(PRIVATE const SceneView* view, PRIVATE const Path* from, PRIV
   }
 }
 
+// waves_of_face (waves.h) without the solvers that the scene does not need.
+FUNCTION WavePair waves_away(PRIVATE const SceneView* view, PRIVATE const WaveMedium* m, PRIVATE const FaceAxes* f, real p2,
+                             int backward, int known, real known_p, mask live, PRIVATE int* fallbacks) {
+  if (m->kind == WAVES_ISOTROPIC) return isotropic_waves(m, f, p2, backward, known, known_p);
+  if (has(gyration, view) && m->kind == WAVES_CHIRAL) return chiral_waves(m, f, p2, backward, known, known_p);
+  if (has(general_waves, view) && m->kind == WAVES_GENERAL) return general_waves(m, f, p2, backward, live, fallbacks);
+  return uniaxial_waves(m, f, p2, backward, known, known_p);
+}
+
 // The waves of the path where it meets the face, amplitudes in the columns of its Jones matrix. pair: the face's own waves of
 // medium 1, for a path that carries both.
 FUNCTION Incident incident_waves(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE const FaceAxes* f,
@@ -332,7 +341,7 @@ FUNCTION void split_waves(PRIVATE const SceneView* view, PRIVATE Path* path, Int
   WavePair pairs[3];
   int sides = has(coherent_waves, view) && path->carries == CARRIES_PAIR ? 3 : 2;
   for (int i = 0; i < sides; ++i)
-    pairs[i] = waves_of_face(i == 1 ? &m2 : &m1, &f, i == 1 ? square2 : square1, i == 0, i == 0 ? known : -1, known_p, live, &fallbacks);
+    pairs[i] = waves_away(view, i == 1 ? &m2 : &m1, &f, i == 1 ? square2 : square1, i == 0, i == 0 ? known : -1, known_p, live, &fallbacks);
   Incident in = incident_waves(view, path, &f, &m1, p1, &pairs[2], sum);
   FaceAmplitudes a = face_amplitudes(in.mode, in.count, &pairs[0], &pairs[1]);
   sum->energy_off = sum->energy_off | (live & (abs_of(a.off[0]) > energy_tolerance(p1, m1.active || m2.active)));

@@ -58,7 +58,7 @@ FUNCTION void render_item(GLOBAL const int* ints, GLOBAL const scalar* reals, GL
   for (int i = 0; i < OUT_COMPONENTS; ++i) total[i] = lanes(0);
   int segments = 0;
   PathStack stack;
-  int azimuths = has(conical_rays, &view) ? ints[HEADER_CONICAL_RAYS] : 1;
+  int azimuths = has(conical_rays, &view) && ints[HEADER_CONICAL_RAYS] > 0 ? ints[HEADER_CONICAL_RAYS] : 1;
   for (int s = sample_begin; s < sample_end; ++s) {
     real u = (x0 + lanes(samples[2 * s])) / lanes((scalar)width);
     real v = (y0 - lanes(samples[2 * s + 1])) / lanes((scalar)height);
