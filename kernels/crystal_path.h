@@ -6,8 +6,8 @@
 // wavelengths, they are one path with two amplitudes along their mean ray (interference, rotation along the axis
 // of quartz); elsewhere two paths whose intensities add. Between the two, both: with
 //   mu = overlap of two pixels that far apart  x  sinc(pi gap d/lambda (bin width/lambda))  x  sinc(pi dq pixel/lambda)
-// where dq is the difference of their wave vectors along the face where they leave (fringes of a wedge, washed out within a
-// pixel), less where dq comes near 2 % of p^2 (rays that leave more than about a degree apart are two rays):
+// where dq is the difference of their wave vectors along the face where they leave (fringes of a wedge, washed out
+// within a pixel), less where dq comes near 2 % of p^2 (rays that leave more than about a degree apart are two rays):
 // the pair carries the share mu, the two single waves 1 - mu, so nothing jumps. Shares under 0.1 or over 0.9 are
 // rounded to 0 and 1 (the rest stretched between), so that few paths have both.
 // Sources: Born & Wolf, Principles of Optics, 7th ed., 15.3-15.4 (waves of crystals), 10.3 (partial coherence);
@@ -89,7 +89,8 @@ FUNCTION cvec3 unit_complex(cvec3 a) {
   return a;
 }
 
-// a - b (b* . a)/2: the first of two unit vectors, each moved half the way to be perpendicular (Lowdin, J. Chem. Phys. 18, 365 (1950)).
+// a - b (b* . a)/2: the first of two unit vectors, each moved half the way to be perpendicular (Lowdin, J. Chem. Phys.
+// 18, 365 (1950)).
 FUNCTION cvec3 half_across(cvec3 a, cvec3 b) {
   cplx overlap = inner(b, a);
   real re = lanes(0.5f) * overlap.re, im = lanes(0.5f) * overlap.im;
@@ -120,8 +121,8 @@ FUNCTION cplx polarization_axes(cvec3 d, vec3 normal, PRIVATE vec3* e, PRIVATE r
 
 // ---- through the crystal ----
 
-// Im eps of a crystal along E: power absorbed per mm of ray, 2 pi/lambda E* . Im eps . E / |Re E x h*| (first order in k;
-// Born & Wolf 15.6).
+// Im eps of a crystal along E: power absorbed per mm of ray, 2 pi/lambda E* . Im eps . E / |Re E x h*| (first order in
+// k; Born & Wolf 15.6).
 FUNCTION real absorbed_per_mm(PRIVATE const SceneView* view, PRIVATE const WaveMedium* m, int medium, vec3 k, cvec3 d) {
   cvec3 e, h;
   fields_of_wave(m, k, d.re, d.im, &e, &h);
@@ -197,9 +198,10 @@ FUNCTION Mode mode_of_fields(PRIVATE const FaceAxes* f, vec3 k, cvec3 e, cvec3 h
 }
 
 // The amplitudes of a pair on the face's own two waves: the nearest unitary change between the two sets of D (polar
-// decomposition of their overlaps), which belong to wave vectors a little apart. What falls on a wave that does not run along the
-// mean tangential wave vector (two waves within a degree of grazing) is cut off, and counted so.
-FUNCTION void pair_on_face(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE const FaceAxes* f, PRIVATE const Mode* modes,
+// decomposition of their overlaps), which belong to wave vectors a little apart. What falls on a wave that does not run
+// along the mean tangential wave vector (two waves within a degree of grazing) is cut off, and counted so.
+FUNCTION void pair_on_face(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE const FaceAxes* f,
+                           PRIVATE const Mode* modes,
                            PRIVATE Gathered* sum) {
   vec3 axis_f = cross3(path->axis, wave_normal(path->k));
   cplx m[2][2];
