@@ -64,6 +64,21 @@ BindOptions bind_options(const std::string& path, const SceneOptions& options) {
   return result;
 }
 
+// A polarizer's axis is told apart from e and f, which a crystal's waves do not have.
+void refuse_polarizers_in_crystals(const Scene& scene, const Geometry& geometry, sdl::Diagnostics& diagnostics) {
+  if (!scene.settings.polarization) return;
+  for (const Sheet& sheet : geometry.sheets) {
+    const Medium& around = scene.media[geometry.cells[sheet.cell].medium];
+    const bool polarizes =
+        sheet.polarizer >= 0 || (sheet.emission >= 0 && scene.emissions[sheet.emission].polarizer.has_value());
+    if (around.symmetry == Medium::Symmetry::isotropic || !polarizes) continue;
+    const Object& object = scene.objects[sheet.object];
+    diagnostics.error(object.where, "this " + object.kind + " polarizes inside the crystal '" + around.name +
+                                        "', where waves have polarizations of their own: give it a gap of an "
+                                        "isotropic medium");
+  }
+}
+
 }  // namespace
 
 sdl::Options parse_options(const SceneOptions& options) {
@@ -128,7 +143,10 @@ std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOpti
     drop_expectations(loaded->parsed.document);
   if (!loaded->parsed.document.items.empty() || !diagnostics.failed())
     loaded->scene = bind(loaded->parsed.document, wanted, diagnostics);
-  if (!diagnostics.failed()) loaded->geometry = build_geometry(loaded->scene, diagnostics);
+  if (!diagnostics.failed()) {
+    loaded->geometry = build_geometry(loaded->scene, diagnostics);
+    refuse_polarizers_in_crystals(loaded->scene, loaded->geometry, diagnostics);
+  }
   if (!diagnostics.all().empty()) fmt::print(stderr, "{}", diagnostics.text());
   if (diagnostics.failed()) return nullptr;
   loaded->features = decide_features(loaded->scene, loaded->geometry);

@@ -52,6 +52,9 @@ def exr_header(path):
     return result.stdout
 
 
+LIT = "camera { location <0, 0, -60> right x }\nbackground { spectrum { e } }\n"
+
+
 class CommandLine(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -177,6 +180,12 @@ class CommandLine(unittest.TestCase):
         self.assertIn("cube.pov: right", result.stdout)
         self.assertIn("scene.pov: wrong", result.stdout)
         self.assertEqual(self.nicol("check", SCENE).returncode, 0)
+
+    def test_polarizers_inside_crystals_are_refused_with_their_place(self):
+        crystal = "box { -4, 4 interior { ordinary { constant 1.65 } extraordinary { constant 1.48 } } }\n"
+        result = self.nicol("check", self.scene(LIT + crystal + "disc { 0, z, 1 polarizer { ideal angle 0 } }"))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("polarizes inside the crystal", result.stderr)
 
     def test_file_size_limit(self):
         limit = (4096, 4096)
