@@ -55,7 +55,7 @@ FUNCTION void split_waves(PRIVATE const SceneView* view, PRIVATE Path* path, Int
   mask live = path_weight(view, &path->jones) > lanes(0);
   WaveMedium m1 = wave_medium(view, face.medium1), m2 = wave_medium(view, face.medium2);
   vec3 k = path->carries == CARRIES_ANY ? scale3(m1.n, path->ray.direction) : path->k;
-  FaceAxes f = face_axes(face.normal, k);
+  FaceAxes f = axes_of_face(face.normal, k);
   real p1 = dot3(k, face.normal);
   // eps - q^2 of both sides, from p1 and eps - |k|^2
   int on_reference = path->carries == CARRIES_ANY || path->carries == CARRIES_ORDINARY;

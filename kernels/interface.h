@@ -3,6 +3,7 @@
 #define NICOL_INTERFACE_H
 #include "fresnel.h"
 #include "path.h"
+#include "wave_medium.h"
 
 // A face between media 1 (where the path is) and 2, its normal turned forward (d.normal > 0).
 typedef struct {
@@ -14,22 +15,8 @@ FUNCTION int pair_row(PRIVATE const SceneView* view, int medium1, int medium2) {
   return view->header[HEADER_DELTA_ROW] + medium1 * view->header[HEADER_MEDIUM_COUNT] + medium2;
 }
 
-// Unit vector across the plane of incidence, t x normal turned so that (t, u, normal) is right-handed.
-// Built by rotating a basis of the normal (Duff et al., JCGT 6(1) 2017), so that it is orthonormal
-// to rounding at normal incidence too.
-FUNCTION vec3 across_incidence(vec3 n, vec3 d) {
-  real sign = pick(n.z >= lanes(0), lanes(1), lanes(-1));
-  real a = lanes(-1) / (sign + n.z);
-  real b = n.x * n.y * a;
-  vec3 t0 = vec(lanes(1) + sign * n.x * n.x * a, sign * b, -sign * n.x);
-  vec3 u0 = vec(b, sign + n.y * n.y * a, -n.y);
-  real along_t = dot3(d, t0), along_u = dot3(d, u0);
-  real q2 = along_t * along_t + along_u * along_u;
-  mask tilted = q2 > lanes(0);
-  real inverse = lanes(1) / sqrt_of(pick(tilted, q2, lanes(1)));
-  real ct = pick(tilted, along_t * inverse, lanes(1)), st = pick(tilted, along_u * inverse, lanes(0));
-  return sub3(scale3(ct, u0), scale3(st, t0));
-}
+// Unit vector across the plane of incidence, (t, u, normal) right-handed, t along the tangential part of d.
+FUNCTION vec3 across_incidence(vec3 n, vec3 d) { return axes_of_face(n, d).u; }
 
 // The way through the medium of the path's cell: absorption, and rotation of the plane of polarization
 // together with the turn of the axes to (u, u x d): both are rotations about d, so their angles add.

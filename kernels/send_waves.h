@@ -15,17 +15,6 @@ typedef struct {
   int count;
 } Children;
 
-// Axes of the face for a wave vector, with q t its tangential part.
-FUNCTION FaceAxes face_axes(vec3 normal, vec3 k) {
-  FaceAxes f;
-  f.n = normal;
-  f.u = across_incidence(normal, k);
-  f.t = cross3(f.u, normal);
-  f.q = dot3(k, f.t);
-  f.q = pick(f.q > lanes(0), f.q, lanes(0));
-  return f;
-}
-
 // Dead lanes get something finite to carry.
 FUNCTION void tame_dead_lanes(PRIVATE const SceneView* view, PRIVATE Path* path) {
   mask live = path_weight(view, &path->jones) > lanes(0);
@@ -96,8 +85,6 @@ FUNCTION real footprint_mm(PRIVATE const SceneView* view, PRIVATE const Ray* ray
 // sin(pi x)/(pi x) up to its first zero, 0 beyond: even polynomial, error below 2e-4.
 FUNCTION real fringe_contrast(real x) {
   real y = x * x;
-
-
   real c = lanes(0.0261478f) - y * lanes(0.0023461f);
   c = lanes(1) + y * (lanes(-1.644934f) + y * (lanes(0.8117424f) + y * (lanes(-0.1907518f) + y * c)));
   return pick((y < lanes(1)) & (c > lanes(0)), c, lanes(0));
@@ -139,7 +126,7 @@ FUNCTION void send_pair(PRIVATE const SceneView* view, PRIVATE const Path* from,
   path->gap = gap;
   vec3 normal = wave_normal(path->k);
   cplx phase[2];
-  path->axis = across_incidence(normal, normal);
+  path->axis = any_across(normal);
   cvec3 d0 = half_across(unit_complex(w[0].d), unit_complex(w[1].d));
   phase[0] = polarization_axes(d0, normal, &path->axis, &path->ellipse);
   phase[1] = unit_phase(inner(unit_d(path->axis, cross3(path->axis, normal), path->ellipse, 1), w[1].d));
@@ -160,7 +147,7 @@ FUNCTION void send_single(PRIVATE const SceneView* view, PRIVATE const Path* fro
   path->k = w->k;
   path->ray.direction = w->ray;
   vec3 normal = wave_normal(path->k);
-  path->axis = across_incidence(normal, normal);
+  path->axis = any_across(normal);
   polarization_axes(w->d, normal, &path->axis, &path->ellipse);
   real root = sqrt_of(share);
   for (int r = 0; r < jones_rows(view); ++r) {
@@ -183,7 +170,7 @@ FUNCTION void take_azimuth(PRIVATE const SceneView* view, PRIVATE const WaveMedi
   if (!any_lane(here)) return;
   sum->cones = sum->cones | here;
   vec3 normal = wave_normal(scale3(lanes(0.5f), add3(w[0].k, w[1].k)));
-  vec3 e = across_incidence(normal, normal);
+  vec3 e = any_across(normal);
   real s = lanes(0);
   polarization_axes(w[0].d, normal, &e, &s);
   vec3 f = cross3(e, normal);
@@ -196,10 +183,7 @@ FUNCTION void take_azimuth(PRIVATE const SceneView* view, PRIVATE const WaveMedi
     cvec3 d;
     d.re = axis[i];
     d.im = scale3(lanes(0), axis[i]);
-    real size0 = sqrt_of(dot3(w[0].d.re, w[0].d.re) + dot3(w[0].d.im, w[0].d.im));
-    real size1 = sqrt_of(dot3(w[1].d.re, w[1].d.re) + dot3(w[1].d.im, w[1].d.im));
-    cplx on0 = cscale(lanes(1) / pick(here, size0, lanes(1)), inner(d, w[0].d));
-    cplx on1 = cscale(lanes(1) / pick(here, size1, lanes(1)), inner(d, w[1].d));
+    cplx on0 = inner(d, unit_complex(w[0].d)), on1 = inner(d, unit_complex(w[1].d));
     for (int r = 0; r < jones_rows(view); ++r) turned[i][r] = cadd(cmul(on0, amplitude[0][r]), cmul(on1,
         amplitude[1][r]));
   }
@@ -227,7 +211,7 @@ FUNCTION int worth_following(PRIVATE const SceneView* view, PRIVATE const Path* 
   mask dim = w <= lanes(view->adc_bailout);  // not a number is not dim: keep_bright counts it
   if (from->level >= view->max_trace_level) dim = w <= FAR_MM;
   if (any_lane(not_mask(dim))) return 1;
-  sum->cut_off += w;
+  add_cut_off(sum, w);
   return 0;
 }
 

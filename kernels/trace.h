@@ -260,7 +260,8 @@ FUNCTION int start_in_crystal(PRIVATE const SceneView* view, PRIVATE Path* path,
   }
   Children waves;
   waves.count = 0;
-  send_waves(view, path, &m, w, section.gap * dot3(s, w[0].ray), amplitude, &waves, sum);
+  real gap = section.gap * dot3(s, unit3(add3(w[0].ray, w[1].ray)));
+  send_waves(view, path, &m, w, gap, amplitude, &waves, sum);
   return follow_lightest(view, &waves, path, stack, sum, counters);
 }
 

@@ -10,6 +10,8 @@
 #include <filesystem>
 
 #include "host/bind/bind.hpp"
+#include "host/crystal_rows.hpp"
+#include "kernels/waves_kinds.h"
 
 namespace nicol::app {
 namespace {
@@ -71,7 +73,7 @@ void refuse_polarizers_in_crystals(const Scene& scene, const Geometry& geometry,
     const Medium& around = scene.media[geometry.cells[sheet.cell].medium];
     const bool polarizes =
         sheet.polarizer >= 0 || (sheet.emission >= 0 && scene.emissions[sheet.emission].polarizer.has_value());
-    if (around.symmetry == Medium::Symmetry::isotropic || !polarizes) continue;
+    if (waves_of(around) == WAVES_ISOTROPIC || !polarizes) continue;
     const Object& object = scene.objects[sheet.object];
     diagnostics.error(object.where, "this " + object.kind + " polarizes inside the crystal '" + around.name +
                                         "', where waves have polarizations of their own: give it a gap of an "
