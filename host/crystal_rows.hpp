@@ -6,7 +6,26 @@
 
 namespace nicol {
 
-// WAVES_* of kernels/waves.h: which solver the medium needs.
+// A symmetric tensor: xx yy zz yz zx xy.
+using SymmetricTensor = std::array<double, 6>;
+
+// A tensor given on the axes of `frame`, in the world.
+SymmetricTensor in_world(const OpticFrame& frame, const SymmetricTensor& on_axes);
+
+// What the kernels know of a uniaxial crystal beside n_o: n_e^2, n_e^2 - n_o^2, 1/n_e^2 - 1/n_o^2.
+struct UniaxialConstants {
+  double eps_e, d_eps, d_eta;
+};
+UniaxialConstants uniaxial_constants(double n_o, double n_e);
+
+// Of a biaxial or active one, on its principal axes: n2bar = 3/tr(eta), n2bar eta - 1, and the gyration term.
+struct GeneralConstants {
+  double n2bar;
+  SymmetricTensor atil, gq;
+};
+GeneralConstants general_constants(const std::array<double, 3>& n, const SymmetricTensor& zeta);
+
+// WAVES_* of kernels/waves_kinds.h: which solver the medium needs.
 int waves_of(const Medium& medium);
 
 // The index that MEDIUM_ROW_N holds: n, n_o, or sqrt(3/tr eta), eta = 1/eps.

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
+#include "host/crystal_rows.hpp"
 #include "kernels/probe_abi.h"
+#include "kernels/waves_kinds.h"
 
 namespace nicol {
 namespace {
-
-// Kinds of kernels/wave_medium.h, which is no header for C++ with other lanes' names around it.
-enum Kind { isotropic = 0, uniaxial, general, chiral };
 
 bool all_equal(const Vector& v) { return v[0] == v[1] && v[1] == v[2]; }
 bool any_nonzero(const Vector& v) { return v[0] != 0 || v[1] != 0 || v[2] != 0; }
@@ -40,38 +39,26 @@ std::array<Vector, 3> read_axes(const Reader& in) {
 }
 
 int kind_of(const ProbeMedium& m, std::size_t& optic_axis) {
-  if (all_equal(m.n) && all_equal(m.k) && all_equal(m.zeta)) return m.active ? chiral : isotropic;
-  if (m.active) return general;
+  if (all_equal(m.n) && all_equal(m.k) && all_equal(m.zeta)) return m.active ? WAVES_CHIRAL : WAVES_ISOTROPIC;
+  if (m.active) return WAVES_GENERAL;
   for (const std::size_t i : {2, 0, 1}) {
     const std::size_t j = (i + 1) % 3, l = (i + 2) % 3;
     if (m.n[j] != m.n[l] || m.k[j] != m.k[l]) continue;
     optic_axis = i;
-    return uniaxial;
+    return WAVES_UNIAXIAL;
   }
-  return general;
+  return WAVES_GENERAL;
 }
 
-// sum of value_i axis_i axis_i^T, order xx yy zz yz zx xy, every `stride`-th scalar.
-void put_tensor(std::vector<double>& s, std::size_t at, const Vector& value, const ProbeMedium& m,
-    std::size_t stride = 1) {
-  constexpr std::array<std::array<std::size_t, 2>, 6> place = {{{0, 0}, {1, 1}, {2, 2}, {1, 2}, {2, 0}, {0, 1}}};
-  for (std::size_t c = 0; c < 6; ++c)
-    for (std::size_t i = 0; i < 3; ++i) s[at + c * stride] += value[i] * m.axes[i][place[c][0]] * m.axes[i][place[c][1]];
-}
+SymmetricTensor diagonal(const Vector& value) { return {value[0], value[1], value[2], 0, 0, 0}; }
 
-// 1/a^2 - 1/b^2
-double difference_of_eta(double a, double b) { return (b - a) * (b + a) / (a * a * b * b); }
-
-void put_general(std::vector<double>& s, std::size_t at, const ProbeMedium& m) {
-  const double trace_eta = 3 / reference_eps(m), trace_zeta = m.zeta[0] + m.zeta[1] + m.zeta[2];
-  const double det_eta = std::pow(m.n[0] * m.n[1] * m.n[2], -2);
-  Vector atil{}, gq{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) atil[i] += difference_of_eta(m.n[i], m.n[j]) / trace_eta;
-    gq[i] = reference_eps(m) * det_eta * m.n[i] * m.n[i] * (trace_zeta - m.zeta[i]);
-  }
-  put_tensor(s, at + PROBE_MEDIUM_ATIL, atil, m);
-  put_tensor(s, at + PROBE_MEDIUM_GQ, gq, m);
+// A tensor on the crystal's axes, in the world, every `stride`-th scalar.
+void put_tensor(std::vector<double>& s, std::size_t at, const SymmetricTensor& on_axes, const ProbeMedium& m,
+                std::size_t stride = 1) {
+  OpticFrame frame;
+  for (std::size_t i = 0; i < 3; ++i) frame[i] = {m.axes[i][0], m.axes[i][1], m.axes[i][2]};
+  const SymmetricTensor tensor = in_world(frame, on_axes);
+  for (std::size_t c = 0; c < 6; ++c) s[at + c * stride] = tensor[c];
 }
 
 }  // namespace
@@ -90,14 +77,14 @@ ProbeMedium read_probe_medium(const Reader& in) {
   m.active = any_nonzero(m.zeta);
   m.kind = kind_of(m, m.optic_axis);
   m.axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  if (m.kind == uniaxial || m.kind == general) m.axes = read_axes(in);
+  if (m.kind == WAVES_UNIAXIAL || m.kind == WAVES_GENERAL) m.axes = read_axes(in);
   return m;
 }
 
 double reference_eps(const ProbeMedium& m) {
-  if (m.kind == isotropic || m.kind == chiral) return m.n[0] * m.n[0];
+  if (m.kind == WAVES_ISOTROPIC || m.kind == WAVES_CHIRAL) return m.n[0] * m.n[0];
   const double n_o = m.n[(m.optic_axis + 1) % 3];
-  if (m.kind == uniaxial) return n_o * n_o;
+  if (m.kind == WAVES_UNIAXIAL) return n_o * n_o;
   return 3 / (1 / (m.n[0] * m.n[0]) + 1 / (m.n[1] * m.n[1]) + 1 / (m.n[2] * m.n[2]));
 }
 
@@ -107,29 +94,32 @@ void put_medium(std::vector<double>& s, std::size_t at, const ProbeMedium& m) {
   s[at + PROBE_MEDIUM_ABSORBS] = m.absorbs;
   s[at + PROBE_MEDIUM_EPS] = reference_eps(m);
   s[at + PROBE_MEDIUM_N] = std::sqrt(reference_eps(m));
-  s[at + PROBE_MEDIUM_KAPPA] = m.kind == chiral ? m.zeta[0] : 0;
+  s[at + PROBE_MEDIUM_KAPPA] = m.kind == WAVES_CHIRAL ? m.zeta[0] : 0;
   const std::size_t ordinary = (m.optic_axis + 1) % 3;
   s[at + PROBE_MEDIUM_INDEX] = m.n[ordinary];
   s[at + PROBE_MEDIUM_INDEX + 1] = m.k[ordinary];
   s[at + PROBE_MEDIUM_INDEX_E] = m.n[m.optic_axis];
   s[at + PROBE_MEDIUM_INDEX_E + 1] = m.k[m.optic_axis];
-  put_tensor(s, at + PROBE_MEDIUM_ZETA, m.zeta, m);
+  put_tensor(s, at + PROBE_MEDIUM_ZETA, diagonal(m.zeta), m);
   Vector re, im;
   for (std::size_t i = 0; i < 3; ++i) {
     re[i] = (m.n[i] - m.k[i]) * (m.n[i] + m.k[i]);
     im[i] = 2 * m.n[i] * m.k[i];
   }
-  put_tensor(s, at + PROBE_MEDIUM_TENSOR, re, m, 2);
-  put_tensor(s, at + PROBE_MEDIUM_TENSOR + 1, im, m, 2);
-  if (m.kind == uniaxial) {
+  put_tensor(s, at + PROBE_MEDIUM_TENSOR, diagonal(re), m, 2);
+  put_tensor(s, at + PROBE_MEDIUM_TENSOR + 1, diagonal(im), m, 2);
+  if (m.kind == WAVES_UNIAXIAL) {
     const double n_o = m.n[(m.optic_axis + 1) % 3], n_e = m.n[m.optic_axis];
     for (std::size_t i = 0; i < 3; ++i) s[at + PROBE_MEDIUM_AXIS + i] = m.axes[m.optic_axis][i];
     s[at + PROBE_MEDIUM_N] = n_o;
-    s[at + PROBE_MEDIUM_EPS_E] = n_e * n_e;
-    s[at + PROBE_MEDIUM_D_EPS] = (n_e - n_o) * (n_e + n_o);
-    s[at + PROBE_MEDIUM_D_ETA] = difference_of_eta(n_e, n_o);
-  } else if (m.kind == general) {
-    put_general(s, at, m);
+    const UniaxialConstants c = uniaxial_constants(n_o, n_e);
+    s[at + PROBE_MEDIUM_EPS_E] = c.eps_e;
+    s[at + PROBE_MEDIUM_D_EPS] = c.d_eps;
+    s[at + PROBE_MEDIUM_D_ETA] = c.d_eta;
+  } else if (m.kind == WAVES_GENERAL) {
+    const GeneralConstants c = general_constants(m.n, diagonal(m.zeta));
+    put_tensor(s, at + PROBE_MEDIUM_ATIL, c.atil, m);
+    put_tensor(s, at + PROBE_MEDIUM_GQ, c.gq, m);
   } else {
     s[at + PROBE_MEDIUM_N] = m.n[0];
   }

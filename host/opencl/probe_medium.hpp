@@ -7,7 +7,7 @@
 namespace nicol {
 
 struct ProbeMedium {
-  int kind = 0;       // of kernels/wave_medium.h
+  int kind = 0;       // WAVES_* of kernels/waves_kinds.h
   bool absorbs = false, active = false;
   Vector n{}, k{}, zeta{};             // principal values
   std::array<Vector, 3> axes{};        // crystal axes, world, unit
