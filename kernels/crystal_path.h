@@ -225,7 +225,7 @@ FUNCTION void pair_on_face(PRIVATE const SceneView* view, PRIVATE Path* path, PR
   cplx none = complex_of(lanes(0), lanes(0));
   for (int r = 0; r < jones_rows(view); ++r) {
     real lost = pick(runs0, lanes(0), norm2(path->jones.e[r])) + pick(runs1, lanes(0), norm2(path->jones.f[r]));
-    sum->cut_off += lanes(0.5f) * lost;
+    add_cut_off(sum, lanes(0.5f) * lost);
     path->jones.e[r] = cpick(runs0, path->jones.e[r], none);
     path->jones.f[r] = cpick(runs1, path->jones.f[r], none);
   }

@@ -34,16 +34,24 @@ FUNCTION void carry_any(PRIVATE Path* path) {
 // took from the sums so far: a tree may bring 1e6 small terms (Kahan, Commun. ACM 8, 40 (1965)).
 typedef struct {
   real stokes[4], lost[4];
-  real cut_off;
+  real cut_off, lost_cut_off;
   mask energy_off;  // a face gave R + T off 1
   mask cones;       // a path met the binormal of a crystal: its light depends on the azimuth taken there
 } Gathered;
 
+FUNCTION void add_compensated(PRIVATE real* sum, PRIVATE real* lost, real value) {
+  real term = value - *lost;
+  real total = *sum + term;
+  *lost = (total - *sum) - term;
+  *sum = total;
+}
+
 FUNCTION void add_stokes(PRIVATE Gathered* sum, int s, real value) {
-  real term = value - sum->lost[s];
-  real total = sum->stokes[s] + term;
-  sum->lost[s] = (total - sum->stokes[s]) - term;
-  sum->stokes[s] = total;
+  add_compensated(&sum->stokes[s], &sum->lost[s], value);
+}
+
+FUNCTION void add_cut_off(PRIVATE Gathered* sum, real weight) {
+  add_compensated(&sum->cut_off, &sum->lost_cut_off, weight);
 }
 
 FUNCTION vec3 second_axis(PRIVATE const Path* path) { return cross3(path->axis, path->ray.direction); }
@@ -135,7 +143,7 @@ FUNCTION int keep_bright(PRIVATE const SceneView* view, PRIVATE Path* path, PRIV
   if (path->level >= view->max_trace_level) bright = w > FAR_MM;
   if (any_lane(w != w)) count_event(counters, COUNT_NAN);
   mask dropped = (w > lanes(0)) & not_mask(bright);
-  sum->cut_off += pick(dropped, w, lanes(0));
+  add_cut_off(sum, pick(dropped, w, lanes(0)));
   path->jones = keep_lanes(view, bright, path->jones);
   return any_lane(bright);
 }

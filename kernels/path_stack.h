@@ -19,7 +19,7 @@ FUNCTION void push(PRIVATE const SceneView* view, PRIVATE PathStack* stack, Path
     return;
   }
   count_event(counters, COUNT_STACK);
-  sum->cut_off += path_weight(view, &path.jones);
+  add_cut_off(sum, path_weight(view, &path.jones));
 }
 
 // Moves a path from its cell into another one's coordinates.

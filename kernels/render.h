@@ -12,7 +12,7 @@ FUNCTION Gathered light_of_sample(PRIVATE const SceneView* view, real u, real v,
   vec3 axis = path.axis, direction = path.ray.direction;
   Gathered sum;
   for (int i = 0; i < 4; ++i) sum.stokes[i] = sum.lost[i] = lanes(0);
-  sum.cut_off = lanes(0);
+  sum.cut_off = sum.lost_cut_off = lanes(0);
   sum.energy_off = lanes(0) != lanes(0);
   sum.cones = lanes(0) != lanes(0);
   *segments += follow(view, path, stack, &sum, counters);

@@ -61,6 +61,35 @@ const Solid solids[] = {
 
 }  // namespace
 
+TEST_CASE("a camera inside a crystal sees the same bright world") {
+  for (const Kernels* kernels : all_kernels()) {
+    for (const Solid& solid : solids) {
+      for (const bool coherence : {false, true}) {
+        CAPTURE(kernels->name);
+        CAPTURE(solid.name);
+        CAPTURE(coherence);
+        TestScene scene;
+        scene.scene.sky = {1};
+        solid.fill(scene);
+        scene.geometry.camera_cell = 1;
+        scene.scene.settings.adc_bailout = 1e-3;
+        scene.scene.settings.coherence = coherence;
+        std::vector<RayCase> rays = random_rays(64, 1, 17);
+        for (RayCase& ray : rays) ray.position = {-7 + 0.01 * ray.position.x, 0.1 * ray.position.y, 0.1 * ray.position.z};
+        Counters counters;
+        const auto lights = kernels->follow_rays(scene.packed(kernels->lanes), rays, 0, counters);
+        const double kappa = solid.name.find("quartz") == std::string::npos ? 0 : 3.5e-5;
+        for (const Light& light : lights) {
+          // light that total reflection keeps inside meets max_trace_level faces, each to 50 eps
+          const int faces = light.cut_off > 0.5 ? scene.scene.settings.max_trace_level : 6;
+          CHECK(std::fabs(light.s0 + light.cut_off - 1) < 50 * faces * kernels->epsilon + 4 * kappa * kappa);
+        }
+        CHECK(counters.nan + counters.stack == 0);
+      }
+    }
+  }
+}
+
 TEST_CASE("furnace with crystals: every ray brings 1, unpolarized, but for what was cut off") {
   for (const Kernels* kernels : all_kernels()) {
     for (const Solid& solid : solids) {
