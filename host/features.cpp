@@ -156,6 +156,10 @@ Features decide_features(const Scene& scene, const Geometry& geometry) {
   if (is_crystal(scene, scene.media[geometry.cells[geometry.camera_cell].medium]))
     d.call(FEATURE_camera_in_crystal, "camera" + at(scene.camera.where));
   const Channels channels = choose_channels(scene);
+  if (scene.settings.error > 0 || scene.settings.sample_error > 0)
+    d.call(FEATURE_path_signatures, scene.settings.error > 0 ? "an error is to be kept" : "a sampling error is to be kept");
+  else
+    d.leave(FEATURE_path_signatures, "every pixel gets as many samples");
   Features out;
   const std::string wavelengths = std::to_string(scene.lambda_nm.size());
   if (channels.count <= few_channels) {

@@ -173,6 +173,9 @@ struct Settings {
   double mm_per_unit = 10;
   double exposure = 1;           // factor on the colours of PNG and of EXR's R, G, B
   int samples = 1;               // per pixel
+  // Targets, relative to the picture's mean radiance, RMS; 0: none.
+  double error = 0;              // of the whole picture: nicol picks the settings that keep it
+  double sample_error = 0;       // of pixel sampling: further samples go where they matter
   bool polarization = true;      // false: scalar intensities (`polarization off`)
   bool coherence = true;         // false: the two waves of a crystal never add as amplitudes (`coherence off`)
   int conical_rays = 0;          // azimuths around the cone at a binormal, per sample; 0: none

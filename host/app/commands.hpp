@@ -22,6 +22,7 @@ struct SceneOptions {
   std::vector<std::string> declares;  // name=value
   std::string wavelengths;  // from:to:step in nm, or a list with commas; empty: the scene's
   std::optional<int> samples;
+  std::optional<double> error, sample_error;  // see Settings
   std::optional<int> max_trace_level;
   std::optional<double> adc_bailout;
   std::string polarization;  // on, off; empty: the scene's

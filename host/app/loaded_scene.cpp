@@ -62,6 +62,8 @@ BindOptions bind_options(const std::string& path, const SceneOptions& options) {
   result.max_trace_level = options.max_trace_level;
   result.adc_bailout = options.adc_bailout;
   result.samples = options.samples;
+  result.error = options.error;
+  result.sample_error = options.sample_error;
   if (!options.polarization.empty()) result.polarization = options.polarization == "on";
   return result;
 }

@@ -19,6 +19,7 @@ struct BindOptions {
   std::optional<int> max_trace_level;
   std::optional<double> adc_bailout;
   std::optional<int> samples;
+  std::optional<double> error, sample_error;  // see Settings
   std::optional<double> exposure;
   std::optional<bool> polarization;
 };

@@ -87,6 +87,13 @@ Schema wavelengths_schema(Context& context, std::vector<double>& lambda_nm) {
           {}};
 }
 
+// A relative error: 0 < x < 1.
+std::optional<double> target(Context& context, const Args& a, const std::string& name) {
+  if (a.numbers[0] > 0 && a.numbers[0] < 1) return a.numbers[0];
+  context.error(a.where, "'" + name + "' must lie between 0 and 1 (0.001 is 0.1 %)");
+  return {};
+}
+
 Schema settings_schema(Context& context, RawSettings& raw) {
   Context* c = &context;
   RawSettings* r = &raw;
@@ -113,6 +120,11 @@ Schema settings_schema(Context& context, RawSettings& raw) {
        {"samples", "n",
         [=](const Args& a) { s->samples = integer(*c, a, "samples", 1, 65536).value_or(1); },
         "rays per pixel (1)"},
+       {"error", "n", [=](const Args& a) { s->error = target(*c, a, "error").value_or(0); },
+        "RMS error of the picture relative to its mean radiance: the settings that keep it are picked"},
+       {"sample_error", "n",
+        [=](const Args& a) { s->sample_error = target(*c, a, "sample_error").value_or(0); },
+        "the same of pixel sampling alone: samples go where they matter"},
        {"exposure", "n",
         [=](const Args& a) { s->exposure = positive(*c, a, "exposure").value_or(1); },
         "factor on the colours of the picture, not on its spectra (1)"},
@@ -145,6 +157,8 @@ void finish_settings(Context& context, const RawSettings& raw) {
   s.max_trace_level = wanted.max_trace_level.value_or(s.max_trace_level);
   s.adc_bailout = wanted.adc_bailout.value_or(s.adc_bailout);
   s.samples = wanted.samples.value_or(s.samples);
+  s.error = wanted.error.value_or(s.error);
+  s.sample_error = wanted.sample_error.value_or(s.sample_error);
   s.exposure = wanted.exposure.value_or(s.exposure);
   s.polarization = wanted.polarization.value_or(s.polarization);
   std::vector<double>& lambda_nm = context.scene.lambda_nm;

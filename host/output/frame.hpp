@@ -1,5 +1,6 @@
 // The finished picture and the guests that take it: EXR, PNG, later the preview.
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -15,6 +16,9 @@ struct Frame {
   std::vector<double> weight_nm;
   std::vector<float> stokes;    // [component 0..3][wavelength][row from the top][column]
   std::vector<float> cut_off;   // [row][column]: weight of the paths cut off, relative to a full path
+  std::vector<std::uint32_t> samples;  // [row][column]: that each pixel got; empty: all alike
+  // [row][column]: estimated error of pixel sampling, RMS over wavelengths of the Stokes vector's, in units of radiance; empty: not known
+  std::vector<float> sample_error;
   double exposure = 1;          // factor on R, G, B
   std::vector<std::pair<std::string, std::string>> how;  // scene, settings, device, error budget: for the header
   int rows_done = 0;            // an interrupted picture has its first rows only in no special order: see row_done
