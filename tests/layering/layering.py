@@ -34,10 +34,11 @@ HOST_MODULES = {
     "bind": {"", "optics", "crystallography"},
     "solids": {""},
     "output": {"optics"},
+    "accuracy": {"output", "optics"},
     "opencl": {"", "output", "optics"},
     "": {"", "solids", "optics"},
     "preview": {"", "output", "opencl", "optics"},
-    "app": {"", "optics", "bind", "solids", "output", "opencl", "preview"},
+    "app": {"", "optics", "bind", "solids", "output", "accuracy", "opencl", "preview"},
 }
 
 OPTICS_WORDS = (
