@@ -16,6 +16,7 @@ SOFT_LIMIT_LINES = 300
 LIBRARIES = [
     ("CGAL or GMP", r"(CGAL/|gmp|mpfr)", ["host/solids/"]),
     ("OpenEXR", r"(OpenEXR/|Imath/|Imf|Imath|Iex|half\.h)", ["host/output/exr_sink.cpp"]),
+    ("zlib", r"zlib\.h", ["host/output/journal.cpp"]),
     ("libpng", r"(libpng\d*/|png\.h)", ["host/output/png_sink.cpp"]),
     ("a window library", r"(GLFW/|imgui|epoxy/|GL/)", ["host/preview/"]),
     ("OpenCL", r"(CL/|OpenCL/)", ["host/opencl/"]),
