@@ -1,0 +1,22 @@
+// The effects that a scene has and that can be left out of it, to see what each is worth.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "host/scene.hpp"
+
+namespace nicol {
+
+struct Effect {
+  std::string name;     // one word
+  std::string without;  // what stands in its place ("refractive indices as at 580 nm")
+};
+
+// Those that the scene calls for, in a fixed order. Only media that a solid or the surroundings have count.
+std::vector<Effect> effects_of(const Scene& scene);
+
+// The scene without one of them; geometry built for the scene stays valid, features must be decided anew.
+// Throws std::invalid_argument for a name that effects_of does not list.
+Scene without_effect(const Scene& scene, const std::string& name);
+
+}  // namespace nicol
