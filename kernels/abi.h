@@ -67,8 +67,9 @@ enum {
   // setting scalars; CONICAL_SPREAD: half the angle of the bundle that a ray stands for, rad
   SETTING_ADC_BAILOUT = 0, SETTING_CONICAL_SPREAD, SETTING_REALS,
 
-  // what a work-item writes: S0, S1, S2, S3, cut-off weight; LANES scalars each
-  OUT_STOKES = 0, OUT_CUT_OFF = 4, OUT_COMPONENTS = 5,
+  // what a work-item writes, sums over its samples, LANES scalars each: S0, S1, S2, S3, cut-off weight; the square of the
+  // Stokes vector's length; S0, its sign changing from pair to pair of samples (0, 12, 34, ...); the signature (path.h) where all samples have the same, else -1
+  OUT_STOKES = 0, OUT_CUT_OFF = 4, OUT_SQUARE = 5, OUT_HALVES = 6, OUT_SIGNATURE = 7, OUT_COMPONENTS = 8,
   // counters
   COUNT_NAN = 0, COUNT_ENERGY, COUNT_STACK, COUNT_STOKES, COUNT_FALLBACK, COUNT_SEGMENTS, COUNTERS
 };

@@ -19,9 +19,9 @@ FUNCTION int escapes(PRIVATE const SceneView* view, PRIVATE const Path* path, PR
     }
   }
   mask lit = lanes(0) != lanes(0);
+  lane_int met = lane_ints(-1);
   if (has(luminous_sheets, view) || has(polarizing_sheets, view)) {
     real nearest = FAR_MM;
-    lane_int met = lane_ints(-1);
     for (int i = 0; i < cell[CELL_SHEET_COUNT]; ++i) {
       int sheet = view->lists[cell[CELL_FIRST_SHEET] + i];
       if (sheet == path->ray.from_sheet) continue;
@@ -41,6 +41,10 @@ FUNCTION int escapes(PRIVATE const SceneView* view, PRIVATE const Path* path, PR
       gather_light(view, path, light, here & shines_towards(view, path, light, outward), sum);
       lit = lit | here;
     }
+  }
+  if (has(path_signatures, view)) {
+    mask bright = path_weight(view, &path->jones) > SIGNATURE_WEIGHT;
+    sign(view, path, bright, pick(lit, met + lane_ints(key_of_sheet(view, 0)), lane_ints(KEY_MISS)), met, lane_ints(-1), sum);
   }
   gather_sky(view, path, not_mask(lit), sum);
   return 1;

@@ -35,6 +35,7 @@ FUNCTION void carry_any(PRIVATE Path* path) {
 typedef struct {
   real stokes[4], lost[4];
   real cut_off, lost_cut_off;
+  lane_int signature;  // of what the sample's paths met
   mask energy_off;  // a face gave R + T off 1
   mask cones;       // a path met the binormal of a crystal: its light depends on the azimuth taken there
 } Gathered;
@@ -52,6 +53,20 @@ FUNCTION void add_stokes(PRIVATE Gathered* sum, int s, real value) {
 
 FUNCTION void add_cut_off(PRIVATE Gathered* sum, real weight) {
   add_compensated(&sum->cut_off, &sum->lost_cut_off, weight);
+}
+
+// What a path's lanes meet, into the signature of their sample: where samples have the same they saw the same faces and waves, so that
+// light changes smoothly from one to the other. Faint lanes do not count, nor does the order. 30 bits, no overflow.
+#define SIGNATURE_WEIGHT lanes(1e-3f)
+FUNCTION void sign(PRIVATE const SceneView* view, PRIVATE const Path* path, mask bright, lane_int key, lane_int face,
+                   lane_int patch, PRIVATE Gathered* sum) {
+  int where = (path->level * 127 + path->carries * 31 + path->ray.cell * 17) & 0xffff;
+  lane_int met = (key + lane_ints(2)) * lane_ints(241) ^ (patch + lane_ints(2)) * lane_ints(53);
+  mask on_face = (key >= lane_ints(KEY_EXIT)) & (key < lane_ints(key_of_sheet(view, 0)));
+  met = (met ^ pick(on_face, (face & lane_ints(0x7fff)) * lane_ints(8191), lane_ints(0))) + lane_ints(where);
+  lane_int mixed = (met & lane_ints(0x7fff)) * lane_ints(30011) + ((met >> 15) & lane_ints(0x7fff)) * lane_ints(20479);
+  mixed = mixed ^ (mixed >> 9);
+  sum->signature = (sum->signature + pick(bright, mixed, lane_ints(0))) & lane_ints(0x3fffffff);
 }
 
 FUNCTION vec3 second_axis(PRIVATE const Path* path) { return cross3(path->axis, path->ray.direction); }

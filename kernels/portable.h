@@ -38,9 +38,14 @@ typedef scalar precise;
 typedef scalar real;
 typedef int mask;
 typedef int lane_int;
+typedef int lane_int_scalar;
 #define any_lane(m) (m)
 #define load_lanes(p) (*(p))
 #define store_lanes(v, p) (*(p) = (v))
+#endif
+
+#if LANES > 1
+typedef scalar_int lane_int_scalar;
 #endif
 
 #ifdef __OPENCL_C_VERSION__

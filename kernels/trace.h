@@ -27,19 +27,23 @@ typedef struct {
 FUNCTION int next_event(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE PathStack* stack,
                         PRIVATE Gathered* sum, GLOBAL event_count* counters, PRIVATE Event* event) {
   Hit hit = path->pinned >= 0 ? hit_across_gap(view, path) : next_hit(view, &path->ray);
-  gather_ends(view, path, &hit, sum);
   event->patch = lane_ints(-1);
   int contacts = has(light_contacts, view) || has(polarizer_contacts, view) || has(solid_contacts, view);
+  if (contacts && path->pinned < 0) event->patch = patch_met(view, path, &hit);
+  lane_int met = hit.key;
+  mask bright = lanes(0) != lanes(0);
+  if (has(path_signatures, view)) bright = path_weight(view, &path->jones) > SIGNATURE_WEIGHT;
+  gather_ends(view, path, &hit, sum);
   if (contacts && path->pinned < 0) {
-    event->patch = patch_met(view, path, &hit);
     if (has(light_contacts, view)) gather_covered(view, path, &hit, event->patch, sum);
     if (has(polarizer_contacts, view) || has(solid_contacts, view))
       hit.key = part_by_patch(view, hit.key, event->patch);
   }
   mask live = path_weight(view, &path->jones) > lanes(0);
-  if (!any_lane(live)) return 0;
   event->lead = largest_lane(pick(live, hit.key, lane_ints(KEY_MISS)));
   mask others = live & (hit.key != lane_ints(event->lead));
+  if (has(path_signatures, view)) sign(view, path, bright & not_mask(others), met, hit.face, event->patch, sum);
+  if (!any_lane(live)) return 0;
   if (any_lane(others)) {
     Path waiting = *path;
     waiting.jones = keep_lanes(view, others, path->jones);

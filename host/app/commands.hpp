@@ -36,6 +36,9 @@ struct DeviceOptions {
   bool no_cache = false;
 };
 
+// "0.1%" or "0.001": greater than 0, less than 1. UsageError otherwise.
+double parse_relative_error(const std::string& text);
+
 struct RenderCommand {
   std::string scene;
   std::vector<std::string> outputs;  // empty: the scene's name with .png, in the working directory

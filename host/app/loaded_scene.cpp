@@ -24,6 +24,17 @@ double parse_number(std::string_view text, const std::string& whole) {
   return value;
 }
 
+}  // namespace
+
+double parse_relative_error(const std::string& text) {
+  const bool percent = !text.empty() && text.back() == '%';
+  const double value = parse_number(percent ? std::string_view(text).substr(0, text.size() - 1) : text, text) / (percent ? 100 : 1);
+  if (value > 0 && value < 1) return value;
+  throw UsageError(fmt::format("the error '{}' must lie between 0 and 100 % (0.1% or 0.001)", text));
+}
+
+namespace {
+
 std::vector<double> split_numbers(const std::string& text, char separator) {
   std::vector<double> numbers;
   std::size_t from = 0;

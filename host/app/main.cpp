@@ -57,6 +57,16 @@ void add_device_options(CLI::App& verb, DeviceOptions& options,
   verb.add_flag("--no-cache", options.no_cache, "Build the kernel anew");
 }
 
+// "0.1%" or "0.001".
+CLI::Option* add_error_option(CLI::App& verb, const std::string& name, std::optional<double>& value,
+                              const std::string& meaning) {
+  const auto read = [name, &value](const CLI::results_t& given) {
+    value = parse_relative_error(given.front());
+    return true;
+  };
+  return verb.add_option(name, read, meaning)->type_name("PERCENT");
+}
+
 using Verb = std::function<int()>;
 
 void add_render(CLI::App& app, RenderCommand& command, Verb& chosen) {
@@ -72,6 +82,8 @@ void add_render(CLI::App& app, RenderCommand& command, Verb& chosen) {
   verb->add_option("--samples", command.options.samples,
                    "Samples per pixel, instead of the scene's")
       ->check(CLI::Range(1, 65536));
+  add_error_option(*verb, "--sample-error", command.options.sample_error,
+                   "RMS error of pixel sampling relative to the mean radiance: samples go where they matter");
   add_device_options(*verb, command.device, {"float", "double"});
   verb->add_flag("-q,--quiet", command.quiet, "Tell only what went wrong");
   verb->callback([&] { chosen = [&] { return render_command(command); }; });

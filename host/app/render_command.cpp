@@ -55,6 +55,7 @@ Frame render_loaded(const LoadedScene& loaded, const RenderCommand& command,
   RenderOptions options;
   options.kernel = kernel_options(command.device);
   options.samples = loaded.scene.settings.samples;
+  options.sample_error = loaded.scene.settings.sample_error;
   options.cancel = &cancel;
   ProgressBar bar(!command.quiet);
   options.progress = [&](const Progress& progress) { bar.show(progress); };

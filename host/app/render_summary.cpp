@@ -36,6 +36,9 @@ std::string summary_text(const Frame& frame, const RenderReport& report, int sam
   fmt::format_to(out, "{:.2f} s, {:.1f} M segments/s on {}, {} lane{} of {}; {}\n", report.seconds,
                  segments_per_second(report) / 1e6, report.device, report.lanes,
                  report.lanes == 1 ? "" : "s", report.real, build_text(report.build));
+  if (report.passes > 1)
+    fmt::format_to(out, "{:.1f} samples a pixel on average in {} passes; sampling error {:.2g} %{}\n", report.samples_mean,
+                   report.passes, 100 * report.sample_error, report.sample_error_kept ? "" : ", more than what is to be kept");
   fmt::format_to(out, "weight cut off: mean {:.2g}, worst pixel {:.2g}\n", report.cut_off_mean,
                  report.cut_off_worst);
   fmt::format_to(out, "counted on the device: {}\n", counters_text(report));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <new>
 
@@ -21,39 +22,41 @@ double free_memory_bytes() {
   return 1e30;
 }
 
-}  // namespace
-
-std::uint32_t lanes_over_pixels_bit() {
-  enum : std::uint32_t {
+enum : std::uint32_t {
 #define FEATURE(name, bit, meaning) bit_of_##name = std::uint32_t{1} << bit,
 #include "kernels/features.def"
 #undef FEATURE
-  };
-  return bit_of_lanes_over_pixels;
-}
+};
 
-ItemLayout item_layout(const PackedScene& scene, int lanes) {
+}  // namespace
+
+std::uint32_t lanes_over_pixels_bit() { return bit_of_lanes_over_pixels; }
+std::uint32_t path_signatures_bit() { return bit_of_path_signatures; }
+
+ItemLayout item_layout(const PackedScene& scene, int lanes, std::int64_t listed) {
   ItemLayout layout;
   layout.lanes = lanes;
   layout.channels = scene.channels;
   layout.blocks = scene.stride / lanes;
   layout.over_pixels = (scene.features & lanes_over_pixels_bit()) != 0;
-  layout.pixels = static_cast<std::int64_t>(scene.width) * scene.height;
+  layout.pixels = listed > 0 ? listed : static_cast<std::int64_t>(scene.width) * scene.height;
   return layout;
 }
 
-Frame make_frame(const PackedScene& scene, const std::vector<double>& lambda_nm,
+Frame make_frame(const PackedScene& scene, int width, int height, const std::vector<double>& lambda_nm,
                  const std::vector<double>& weight_nm) {
   Frame frame;
-  frame.width = scene.width;
-  frame.height = scene.height;
+  frame.width = width;
+  frame.height = height;
   frame.lambda_nm = lambda_nm;
   frame.weight_nm = weight_nm;
-  const double floats_per_pixel = 4 * static_cast<double>(lambda_nm.size()) + 1;
+  const bool spread = (scene.features & path_signatures_bit()) != 0;
+  const double floats_per_pixel =
+      4 * static_cast<double>(lambda_nm.size()) + 1 + (spread ? 6 + static_cast<double>(scene.channels) : 0);
   const double bytes = static_cast<double>(frame.plane()) * floats_per_pixel * sizeof(float);
   const auto too_large = [&](const std::string& there) {
     return DeviceError(fmt::format("a picture of {} x {} pixels and {} wavelengths needs {:.1f} GB of memory; {}. Take "
-                                   "fewer pixels or wavelengths", scene.width, scene.height, lambda_nm.size(),
+                                   "fewer pixels or wavelengths", width, height, lambda_nm.size(),
                                    bytes / 1e9, there));
   };
   const double free_bytes = free_memory_bytes();
@@ -61,29 +64,52 @@ Frame make_frame(const PackedScene& scene, const std::vector<double>& lambda_nm,
   try {
     frame.stokes.resize(frame.plane() * 4 * lambda_nm.size());
     frame.cut_off.resize(frame.plane());
-    frame.row_done.resize(static_cast<std::size_t>(scene.height));
+    frame.row_done.resize(static_cast<std::size_t>(height));
+    if (spread) frame.samples.resize(frame.plane());
   } catch (const std::bad_alloc&) {
     throw too_large("the system gives less");
   }
   return frame;
 }
 
-Gather::Gather(const PackedScene& scene, const ItemLayout& layout, int samples, Frame& frame)
-    : scene_(scene), layout_(layout), samples_(samples), frame_(frame),
-      row_pixels_(static_cast<std::size_t>(scene.height)) {
-  const std::int64_t item = OUT_COMPONENTS * layout.lanes;
-  for (int c = 0; c < layout.channels; ++c)
-    channel_at_.push_back(layout.over_pixels ? c * item : c / layout.lanes * item + c % layout.lanes);
+Gather::Gather(const PackedScene& scene, int lanes, Frame& frame)
+    : scene_(scene), layout_(item_layout(scene, lanes)), frame_(frame),
+      row_pixels_(static_cast<std::size_t>(frame.height)),
+      spread_((scene.features & path_signatures_bit()) != 0) {
+  const std::int64_t item = OUT_COMPONENTS * layout_.lanes;
+  for (int c = 0; c < layout_.channels; ++c)
+    channel_at_.push_back(layout_.over_pixels ? c * item : c / layout_.lanes * item + c % layout_.lanes);
+  if (!spread_) return;
+  signature_.assign(frame.plane() * channel_at_.size(), -1);
+  square_.assign(frame.plane() * (scene.mixing.empty() ? 1 : channel_at_.size()), 0);
+  if (!scene.mixing.empty()) channel_sum_.assign(frame.plane() * channel_at_.size() * 4, 0);
+  step_.assign(frame.plane(), 0);
+}
+
+void Gather::begin_pass(const std::vector<std::int32_t>* pixels, int begin, int end) {
+  listed_ = pixels;
+  begin_ = begin;
+  end_ = end;
+  layout_.pixels = pixels ? static_cast<std::int64_t>(pixels->size()) : static_cast<std::int64_t>(frame_.plane());
 }
 
 template <class Real>
 void Gather::add(const Tile& tile, const Real* sums) {
-  if (samples_ <= TileSchedule::samples_per_launch) return scatter(tile, sums);
+  const int samples = end_ - begin_;
+  if (samples <= TileSchedule::samples_per_launch) return scatter(tile, sums);
   const std::size_t size =
       static_cast<std::size_t>(tile.unit_count * layout_.items_per_unit() * OUT_COMPONENTS * layout_.lanes);
-  if (tile.sample_begin == 0) sums_.assign(size, 0.0);
-  for (std::size_t i = 0; i < size; ++i) sums_[i] += static_cast<double>(sums[i]);
-  if (tile.sample_end == samples_) scatter(tile, sums_.data());
+  if (tile.sample_begin == 0) {
+    sums_.assign(size, 0.0);
+  }
+  const std::size_t item = static_cast<std::size_t>(OUT_COMPONENTS * layout_.lanes);
+  for (std::size_t i = 0; i < size; ++i) {
+    const bool is_signature = i % item / static_cast<std::size_t>(layout_.lanes) == OUT_SIGNATURE;
+    const double value = static_cast<double>(sums[i]);
+    if (!is_signature) sums_[i] += value;
+    else sums_[i] = tile.sample_begin == 0 || sums_[i] == value ? value : -1;
+  }
+  if (tile.sample_end == samples) scatter(tile, sums_.data());
 }
 
 template <class Real>
@@ -100,6 +126,7 @@ void Gather::scatter(const Tile& tile, const Real* sums) {
       pixel_at[i] = (p + i - first) / per_unit * unit_size + (p + i - first) % per_unit;
     scatter_run(p, count, pixel_at, sums);
   }
+  if (begin_ > 0) return;
   for (std::int64_t p = first; p < end;) {
     const std::int64_t row = p / frame_.width, row_end = std::min((row + 1) * frame_.width, end);
     row_pixels_[static_cast<std::size_t>(row)] += row_end - p;
@@ -107,33 +134,81 @@ void Gather::scatter(const Tile& tile, const Real* sums) {
   }
 }
 
+// The mean over all samples so far takes in that of this pass.
 template <class Real>
-void Gather::scatter_run(std::int64_t first_pixel, int count, const std::int64_t* pixel_at, const Real* sums) {
-  const double scale = 1.0 / samples_;
+void Gather::scatter_run(std::int64_t first, int count, const std::int64_t* pixel_at, const Real* sums) {
   const std::size_t wavelengths = frame_.lambda_nm.size(), channels = channel_at_.size();
+  const double scale = 1.0 / (end_ - begin_), share = static_cast<double>(end_ - begin_) / end_;
+  std::vector<double> change2(static_cast<std::size_t>(count));
   for (int s = 0; s < 4; ++s) {
     for (std::size_t w = 0; w < wavelengths; ++w) {
-      float* to = frame_.component(OUT_STOKES + s, w) + first_pixel;
-      if (scene_.mixing.empty()) {
-        const Real* from = sums + s * layout_.lanes + channel_at_[w];
-        for (int i = 0; i < count; ++i) to[i] = static_cast<float>(static_cast<double>(from[pixel_at[i]]) * scale);
-        continue;
-      }
+      float* to = frame_.component(OUT_STOKES + s, w);
       for (int i = 0; i < count; ++i) {
-        double mixed = 0;
-        for (std::size_t c = 0; c < channels; ++c)
-          mixed += scene_.mixing[c * wavelengths + w] *
-                   static_cast<double>(sums[pixel_at[i] + s * layout_.lanes + channel_at_[c]]);
-        to[i] = static_cast<float>(mixed * scale);
+        double value = 0;
+        if (scene_.mixing.empty()) {
+          value = static_cast<double>(sums[pixel_at[i] + s * layout_.lanes + channel_at_[w]]);
+        } else {
+          for (std::size_t c = 0; c < channels; ++c)
+            value += scene_.mixing[c * wavelengths + w] *
+                     static_cast<double>(sums[pixel_at[i] + s * layout_.lanes + channel_at_[c]]);
+        }
+        value *= scale;
+        float& mean = to[pixel_of(first + i)];
+        if (begin_ > 0) {
+          const double change = value - static_cast<double>(mean);
+          change2[static_cast<std::size_t>(i)] += change * change;
+          value = static_cast<double>(mean) + share * change;
+        }
+        mean = static_cast<float>(value);
       }
     }
   }
   for (int i = 0; i < count; ++i) {
+    const std::size_t pixel = pixel_of(first + i);
     double cut_off = 0;
     for (std::int64_t at : channel_at_)
       cut_off += static_cast<double>(sums[pixel_at[i] + OUT_CUT_OFF * layout_.lanes + at]);
-    frame_.cut_off[static_cast<std::size_t>(first_pixel + i)] =
-        static_cast<float>(cut_off * scale / static_cast<double>(channels));
+    cut_off *= scale / static_cast<double>(channels);
+    float& mean = frame_.cut_off[pixel];
+    mean = static_cast<float>(begin_ > 0 ? static_cast<double>(mean) + share * (cut_off - static_cast<double>(mean)) : cut_off);
+    note_spread(pixel, sums + pixel_at[i], change2[static_cast<std::size_t>(i)] / static_cast<double>(wavelengths));
+  }
+}
+
+template <class Real>
+void Gather::note_spread(std::size_t pixel, const Real* sums, double change2) {
+  const std::size_t wavelengths = frame_.lambda_nm.size(), channels = channel_at_.size();
+  const int samples = end_ - begin_;
+  const int odd = (samples - 1) / 4 * 2 + std::min((samples - 1) % 4, 2);  // of pairs with the sign -
+  if (begin_ == 0 && samples > 1) {
+    for (std::size_t w = 0; w < wavelengths; ++w) {
+      double all = 0, halves = 0;
+      for (std::size_t c = 0; c < channels; ++c) {
+        const double part = scene_.mixing.empty() ? (c == w ? 1.0 : 0.0) : scene_.mixing[c * wavelengths + w];
+        if (part == 0) continue;
+        all += part * static_cast<double>(sums[channel_at_[c]]);
+        halves += part * static_cast<double>(sums[OUT_HALVES * layout_.lanes + channel_at_[c]]);
+      }
+      const double difference = (all + halves) / 2 / (samples - odd) - (all - halves) / 2 / odd;
+      halves_sum_ += difference * difference / 4;
+    }
+  }
+  if (!spread_) return;
+  frame_.samples[pixel] = static_cast<std::uint32_t>(end_);
+  const double before = begin_, now = samples;
+  step_[pixel] = static_cast<float>(std::sqrt(change2) * std::sqrt(before * now) / (before + now));
+  for (std::size_t c = 0; c < channels; ++c) {
+    const auto value = static_cast<std::int32_t>(sums[OUT_SIGNATURE * layout_.lanes + channel_at_[c]]);
+    std::int32_t& signature = signature_[c * frame_.plane() + pixel];
+    signature = begin_ == 0 || signature == value ? value : -1;
+    const double square = static_cast<double>(sums[OUT_SQUARE * layout_.lanes + channel_at_[c]]);
+    if (scene_.mixing.empty()) {
+      square_[pixel] += square / static_cast<double>(wavelengths);
+      continue;
+    }
+    square_[c * frame_.plane() + pixel] += square;
+    for (int s = 0; s < 4; ++s)
+      channel_sum_[(c * 4 + s) * frame_.plane() + pixel] += static_cast<double>(sums[s * layout_.lanes + channel_at_[c]]);
   }
 }
 
@@ -155,7 +230,9 @@ void Gather::finish() {
       std::fill_n(cut_off, width, 0.0f);
     }
   }
-  if (frame_.rows_done > 0) cut_off_mean /= static_cast<double>(frame_.rows_done) * frame_.width;
+  const double pixels = static_cast<double>(frame_.rows_done) * frame_.width;
+  if (frame_.rows_done > 0) cut_off_mean /= pixels;
+  if (pixels > 0) halves_rms = std::sqrt(halves_sum_ / pixels / static_cast<double>(frame_.lambda_nm.size()));
 }
 
 template void Gather::add(const Tile&, const float*);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <climits>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "host/opencl/device_impl.hpp"
@@ -13,6 +15,7 @@
 #include "host/opencl/gather.hpp"
 #include "host/opencl/program.hpp"
 #include "host/opencl/samples.hpp"
+#include "host/opencl/sampling_plan.hpp"
 #include "host/opencl/scalar_buffer.hpp"
 #include "host/opencl/tiles.hpp"
 #include "kernels/abi.h"
@@ -32,8 +35,8 @@ constexpr std::int64_t max_out_bytes = 64 << 20;
 // No work: compiles what the first launch would compile.
 void warm_up_trace(Device& device, cl::CommandQueue& queue, cl::Kernel& kernel, int local_size) {
   const cl::Buffer empty(device.context, CL_MEM_READ_WRITE, 4096);
-  for (cl_uint i = 0; i < 6; ++i) kernel.setArg(i, empty);
-  for (cl_uint i = 6; i < 10; ++i) kernel.setArg(i, cl_int{0});
+  for (cl_uint i = 0; i < 7; ++i) kernel.setArg(i, empty);
+  for (cl_uint i = 7; i < 12; ++i) kernel.setArg(i, cl_int{0});
   queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(local_size), cl::NDRange(local_size));
   queue.finish();
 }
@@ -73,6 +76,14 @@ void check_item_count(const PackedScene& scene, int lanes) {
                                   "render parts of it", scene.width, scene.height, scene.channels));
 }
 
+void check_sampling(const PackedScene& scene, const RenderOptions& options) {
+  const std::int64_t plane = static_cast<std::int64_t>(scene.width) * scene.height;
+  for (const std::int32_t p : options.pixels)
+    if (p < 0 || p >= plane) throw std::invalid_argument(fmt::format("pixel {} is not in the picture", p));
+  if (options.sample_error > 0 && ((scene.features & path_signatures_bit()) == 0 || !options.positions.empty() || !options.pixels.empty()))
+    throw std::invalid_argument("a sampling error can be kept only in whole pictures of scenes with path signatures");
+}
+
 class Renderer {
  public:
   Renderer(Device& device, const PackedScene& scene, const RenderOptions& options, const Kernel& kernel, int lanes,
@@ -88,11 +99,18 @@ class Renderer {
     std::optional<Tile> tile;
   };
 
-  void allocate();
+  // Samples [begin, end) of these pixels of the frame (null: all).
+  bool run_pass(const std::vector<std::int32_t>* pixels, int begin, int end);
+  bool run_tiles(TileSchedule& schedule);
+  void refine();
+  void list_pixels(const std::vector<std::int32_t>* pixels);
+  void allocate(const TileSchedule& schedule);
   void submit(int slot, const Tile& tile);
-  void collect(int slot);
+  void collect(int slot, TileSchedule& schedule);
   void drop_all();
   void tell_progress(const Tile& tile);
+  void tell_errors();
+  double mean_radiance() const;
   bool cancelled() const { return options_.cancel && options_.cancel->load(); }
   std::int64_t out_values(std::int64_t units) const {
     return units * layout_.items_per_unit() * OUT_COMPONENTS * layout_.lanes;
@@ -100,39 +118,46 @@ class Renderer {
   std::int64_t units_that_fit() const;
 
   Device& device_;
+  const PackedScene& scene_;
   const RenderOptions& options_;
+  Frame& frame_;
   RenderReport& report_;
   const int local_size_;
   const std::size_t scalar_bytes_;
-  const ItemLayout layout_;
+  ItemLayout layout_;                       // of the pass
   const std::vector<std::array<double, 2>> samples_;
-  TileSchedule schedule_;
   Gather gather_;
   cl::Kernel& kernel_;
-  cl::Buffer ints_, reals_, tables_, sample_points_;
+  cl::Buffer ints_, reals_, tables_, sample_points_, listed_;
+  std::int64_t listed_count_ = 0;
   std::array<Slot, 2> slots_;
-  std::int64_t units_done_ = 0;
+  int begin_ = 0, end_ = 1;                 // samples of the pass
+  std::int64_t units_done_ = 0;             // of the pass
+  double unit_sample_seconds_ = 0;          // of the pass before
+  double samples_done_ = 0, samples_ahead_ = 0;  // pixels times samples: of whole passes, and expected of this and later ones
   Clock::time_point start_ = Clock::now(), last_collected_ = start_;
 };
 
+int first_samples(const RenderOptions& options) {
+  return options.positions.empty() ? std::max(1, options.samples) : static_cast<int>(options.positions.size());
+}
+
 std::vector<std::array<double, 2>> samples_of(const RenderOptions& options) {
-  return options.positions.empty() ? pixel_samples(std::max(1, options.samples)) : options.positions;
+  if (!options.positions.empty()) return options.positions;
+  const int first = first_samples(options);
+  return pixel_samples(options.sample_error > 0 ? std::max(first, options.most_samples) : first);
 }
 
 // Rows are ends of tiles only where units are pixels or fill rows.
-std::int64_t row_units_of(const PackedScene& scene, const ItemLayout& layout) {
-  return scene.width % layout.pixels_per_unit() == 0 ? scene.width / layout.pixels_per_unit() : 0;
+std::int64_t row_units_of(int width, const ItemLayout& layout) {
+  return width % layout.pixels_per_unit() == 0 ? width / layout.pixels_per_unit() : 0;
 }
 
 Renderer::Renderer(Device& device, const PackedScene& scene, const RenderOptions& options, const Kernel& kernel,
                    int lanes, Frame& frame, RenderReport& report)
-    : device_(device), options_(options), report_(report), local_size_(kernel.local_size),
+    : device_(device), scene_(scene), options_(options), frame_(frame), report_(report), local_size_(kernel.local_size),
       scalar_bytes_(options.kernel.real_double ? sizeof(double) : sizeof(float)), layout_(item_layout(scene, lanes)),
-      samples_(samples_of(options)),
-      schedule_(layout_.units(), row_units_of(scene, layout_), static_cast<int>(samples_.size()), units_that_fit(),
-                options.tile_seconds),
-      gather_(scene, layout_, static_cast<int>(samples_.size()), frame),
-      kernel_(kernel.kernel) {
+      samples_(samples_of(options)), gather_(scene, lanes, frame), kernel_(kernel.kernel) {
   const bool real_double = options.kernel.real_double;
   std::vector<double> points;
   for (const auto& sample : samples_) points.insert(points.end(), sample.begin(), sample.end());
@@ -149,8 +174,22 @@ std::int64_t Renderer::units_that_fit() const {
   return std::max<std::int64_t>(1, std::min(by_memory, max_work_groups * local_size_ / layout_.items_per_unit()));
 }
 
-void Renderer::allocate() {
-  const std::size_t bytes = static_cast<std::size_t>(out_values(schedule_.max_units())) * scalar_bytes_;
+// The pixels of the scene's picture that the kernel is to trace.
+void Renderer::list_pixels(const std::vector<std::int32_t>* pixels) {
+  const std::vector<std::int32_t>& base = options_.pixels;
+  std::vector<std::int32_t> list;
+  if (!pixels) {
+    list = base;
+  } else {
+    for (const std::int32_t p : *pixels) list.push_back(base.empty() ? p : base[static_cast<std::size_t>(p)]);
+  }
+  listed_count_ = static_cast<std::int64_t>(list.size());
+  listed_ = int_buffer(device_.context, list);
+  layout_ = item_layout(scene_, layout_.lanes, listed_count_);
+}
+
+void Renderer::allocate(const TileSchedule& schedule) {
+  const std::size_t bytes = static_cast<std::size_t>(out_values(schedule.max_units())) * scalar_bytes_;
   for (Slot& slot : slots_) {
     slot = Slot{};
     slot.out = cl::Buffer(device_.context, CL_MEM_WRITE_ONLY, bytes);
@@ -166,10 +205,11 @@ void Renderer::submit(int index, const Tile& tile) {
   slot.counted = {};
   queue.enqueueWriteBuffer(slot.counters, CL_FALSE, 0, sizeof(Counters), slot.counted.data());
   cl_uint arg = 0;
-  for (const cl::Buffer* buffer : {&ints_, &reals_, &tables_, &sample_points_, &slot.out, &slot.counters})
+  for (const cl::Buffer* buffer : {&ints_, &reals_, &tables_, &sample_points_, &listed_, &slot.out, &slot.counters})
     kernel_.setArg(arg++, *buffer);
-  for (std::int64_t number : {tile.first_unit * layout_.items_per_unit(), items,
-                              static_cast<std::int64_t>(tile.sample_begin), static_cast<std::int64_t>(tile.sample_end)})
+  for (std::int64_t number : {listed_count_, tile.first_unit * layout_.items_per_unit(), items,
+                              static_cast<std::int64_t>(begin_ + tile.sample_begin),
+                              static_cast<std::int64_t>(begin_ + tile.sample_end)})
     kernel_.setArg(arg++, static_cast<cl_int>(number));
   queue.enqueueNDRangeKernel(kernel_, cl::NullRange, cl::NDRange(padded), cl::NDRange(local_size_));
   queue.enqueueReadBuffer(slot.counters, CL_FALSE, 0, sizeof(Counters), slot.counted.data());
@@ -179,11 +219,11 @@ void Renderer::submit(int index, const Tile& tile) {
   slot.tile = tile;
 }
 
-void Renderer::collect(int index) {
+void Renderer::collect(int index, TileSchedule& schedule) {
   Slot& slot = slots_[index];
   device_.queues[index].finish();
   const Tile tile = *slot.tile;
-  schedule_.took(tile, seconds_since(last_collected_));
+  schedule.took(tile, seconds_since(last_collected_));
   last_collected_ = Clock::now();
   if (report_.tiles++ == 0) report_.seconds_to_first_tile = seconds_since(start_);
   if (options_.kernel.real_double)
@@ -198,16 +238,18 @@ void Renderer::collect(int index) {
   report_.stokes_count += slot.counted[COUNT_STOKES];
   report_.fallback_count += slot.counted[COUNT_FALLBACK];
   report_.segments += slot.counted[COUNT_SEGMENTS];
-  if (tile.sample_end == static_cast<int>(samples_.size())) units_done_ = tile.first_unit + tile.unit_count;
+  if (tile.sample_end == end_ - begin_) units_done_ = tile.first_unit + tile.unit_count;
   tell_progress(tile);
 }
 
 void Renderer::tell_progress(const Tile& tile) {
   if (!options_.progress) return;
   Progress now;
-  const double part = static_cast<double>(tile.sample_end) / static_cast<double>(samples_.size());
-  now.fraction = (static_cast<double>(tile.first_unit) + part * static_cast<double>(tile.unit_count)) /
-                 static_cast<double>(layout_.units());
+  const double of_pass = static_cast<double>(layout_.pixels) * (end_ - begin_);
+  const double part = (static_cast<double>(tile.first_unit) +
+                       static_cast<double>(tile.sample_end) / (end_ - begin_) * static_cast<double>(tile.unit_count)) /
+                      static_cast<double>(layout_.units());
+  now.fraction = (samples_done_ + part * of_pass) / (samples_done_ + std::max(of_pass, samples_ahead_));
   now.seconds = seconds_since(start_);
   now.seconds_left = now.fraction > 0 ? now.seconds * (1 - now.fraction) / now.fraction : 0;
   now.segments_per_second = static_cast<double>(report_.segments) / std::max(now.seconds, 1e-9);
@@ -226,29 +268,95 @@ void Renderer::drop_all() {
   for (Slot& slot : slots_) slot = Slot{};
 }
 
-void Renderer::run() {
+// False if it was cancelled.
+bool Renderer::run_tiles(TileSchedule& schedule) {
   bool ready = false;
   for (;;) {
     try {
-      if (!ready) allocate();
+      if (!ready) allocate(schedule);
       ready = true;
       int index = 0;
-      for (Tile tile; !cancelled() && schedule_.next(tile); index ^= 1) {
-        if (slots_[index].tile) collect(index);
+      for (Tile tile; !cancelled() && schedule.next(tile); index ^= 1) {
+        if (slots_[index].tile) collect(index, schedule);
         submit(index, tile);
       }
       for (int i : {index, index ^ 1})
-        if (slots_[i].tile) collect(i);
-      break;
+        if (slots_[i].tile) collect(i, schedule);
+      return units_done_ == layout_.units();
     } catch (const cl::Error& error) {
       drop_all();
       ready = false;
-      if (!is_shortage(error.err()) || !schedule_.shrink(units_done_)) throw;
+      if (!is_shortage(error.err()) || !schedule.shrink(units_done_)) throw;
     }
   }
+}
+
+bool Renderer::run_pass(const std::vector<std::int32_t>* pixels, int begin, int end) {
+  begin_ = begin;
+  end_ = end;
+  units_done_ = 0;
+  list_pixels(pixels);
+  gather_.begin_pass(pixels, begin, end);
+  TileSchedule schedule(layout_.units(), pixels ? 0 : row_units_of(frame_.width, layout_), end - begin, units_that_fit(),
+                        options_.tile_seconds, unit_sample_seconds_);
+  const bool whole = run_tiles(schedule);
+  unit_sample_seconds_ = schedule.unit_sample_seconds();
+  if (report_.passes++ == 0) report_.seconds_first_pass = seconds_since(start_);
+  samples_done_ += static_cast<double>(units_done_) / static_cast<double>(layout_.units()) *
+                   static_cast<double>(layout_.pixels) * (end - begin);
+  return whole;
+}
+
+double Renderer::mean_radiance() const {
+  double sum = 0;
+  for (std::size_t w = 0; w < frame_.lambda_nm.size(); ++w)
+    for (std::size_t p = 0; p < frame_.plane(); ++p) sum += static_cast<double>(frame_.component(0, w)[p]);
+  return sum / static_cast<double>(frame_.lambda_nm.size()) / static_cast<double>(frame_.plane());
+}
+
+// Further samples where they matter, pass by pass.
+void Renderer::refine() {
+  const double target = options_.sample_error * mean_radiance();
+  for (;;) {
+    gather_.estimate_errors();
+    const auto passes = next_passes(frame_.sample_error, frame_.samples, target, options_.most_samples);
+    if (passes.empty()) {
+      report_.sample_error_kept = root_mean_square(frame_.sample_error) <= target;
+      return;
+    }
+    samples_ahead_ = 0;
+    for (const SamplePass& pass : passes)
+      samples_ahead_ += static_cast<double>(pass.pixels.size()) * (pass.end - pass.begin);
+    for (const SamplePass& pass : passes) {
+      const double before = samples_done_;
+      if (!run_pass(&pass.pixels, pass.begin, pass.end)) {
+        gather_.estimate_errors();
+        report_.interrupted = true;
+        return;
+      }
+      samples_ahead_ -= samples_done_ - before;
+    }
+  }
+}
+
+void Renderer::tell_errors() {
+  report_.samples_mean = samples_done_ / static_cast<double>(frame_.plane());
+  report_.mean_radiance = mean_radiance();
+  double error = std::numeric_limits<double>::quiet_NaN();
+  if (!frame_.sample_error.empty())
+    error = root_mean_square(frame_.sample_error);
+  else if (end_ > 1)
+    error = gather_.halves_rms;
+  report_.sample_error = report_.mean_radiance > 0 ? error / report_.mean_radiance : error;
+}
+
+void Renderer::run() {
+  const int first = first_samples(options_);
+  report_.interrupted = !run_pass(nullptr, 0, first);
+  if (!report_.interrupted && options_.sample_error > 0) refine();
   gather_.finish();
   report_.seconds = seconds_since(start_);
-  report_.interrupted = units_done_ < layout_.units();
+  tell_errors();
   report_.cut_off_mean = gather_.cut_off_mean;
   report_.cut_off_worst = gather_.cut_off_worst;
 }
@@ -273,7 +381,9 @@ Frame render(Device& device, const PackedScene& scene, const std::vector<double>
   report.precise_real = options.kernel.real_double || device.about.has_fp64 ? "double" : "float, for the device has no fp64";
   check_scene(scene, lambda_nm, weight_nm, report.lanes);
   check_item_count(scene, report.lanes);
-  Frame frame = make_frame(scene, lambda_nm, weight_nm);
+  check_sampling(scene, options);
+  Frame frame = options.pixels.empty() ? make_frame(scene, scene.width, scene.height, lambda_nm, weight_nm)
+                                       : make_frame(scene, static_cast<int>(options.pixels.size()), 1, lambda_nm, weight_nm);
   try {
     const auto kernel = trace_kernel(device, scene.features, options.kernel);
     report.build = kernel->report;

@@ -39,6 +39,11 @@ struct RenderOptions {
   KernelOptions kernel;
   int samples = 1;                                // per pixel
   std::vector<std::array<double, 2>> positions;   // in the pixel, 0..1; empty: low-discrepancy, centre first
+  // > 0: every pixel gets `samples`, then more go where they matter, until the estimated error of pixel sampling (RMS of the Stokes
+  // vector's over pixels and wavelengths) is below this part of the mean radiance. The scene must have path_signatures.
+  double sample_error = 0;
+  int most_samples = 4095;                        // of a pixel, then
+  std::vector<std::int32_t> pixels;               // only these (row * width + column): the frame is a row of them; empty: all
   double tile_seconds = 0.03;
   std::function<void(const Progress&)> progress;
   const std::atomic<bool>* cancel = nullptr;      // set by Ctrl-C: stops after the tiles in flight
@@ -52,6 +57,14 @@ struct RenderReport {
   std::uint64_t nan_count = 0, energy_count = 0, stack_count = 0, stokes_count = 0;
   std::uint64_t fallback_count = 0;  // waves that needed the precise solver
   std::string precise_real;          // its precision: "double", or the kernel's own where the device has no fp64
+  int passes = 0;                    // of samples
+  double samples_mean = 0;           // per pixel
+  double seconds_first_pass = 0;
+  // Estimated error of pixel sampling, RMS of the Stokes vector's over pixels and wavelengths, relative to the mean radiance: from each
+  // pixel's samples and neighbours (adaptive), or half the difference of the samples' two halves (two or more); NaN: not known.
+  double sample_error = 0;
+  bool sample_error_kept = true;     // what was asked for
+  double mean_radiance = 0;          // S0 per nm
   double cut_off_mean = 0, cut_off_worst = 0;   // weight of dropped paths relative to a full path, per pixel
   int tiles = 0;
   bool interrupted = false;

@@ -10,9 +10,12 @@ constexpr int growth = 4;   // at most, from tile to tile
 }  // namespace
 
 TileSchedule::TileSchedule(std::int64_t units, std::int64_t row_units, int samples, std::int64_t max_units,
-                           double tile_seconds)
+                           double tile_seconds, double unit_sample_seconds)
     : units_(units), row_units_(row_units), max_units_(std::max<std::int64_t>(1, std::min(max_units, units))),
-      wanted_units_(std::min(first_units, max_units_)), samples_(samples), tile_seconds_(tile_seconds) {}
+      wanted_units_(std::min(first_units, max_units_)), samples_(samples), tile_seconds_(tile_seconds),
+      unit_sample_seconds_(unit_sample_seconds) {
+  if (unit_sample_seconds > 0) wanted_units_ = units_in_time();
+}
 
 std::int64_t TileSchedule::size_at(std::int64_t first_unit) const {
   std::int64_t end = std::min(first_unit + std::clamp<std::int64_t>(wanted_units_, 1, max_units_), units_);
@@ -35,14 +38,17 @@ bool TileSchedule::next(Tile& tile) {
 }
 
 void TileSchedule::took(const Tile& tile, double seconds) {
-  const int launch_samples = std::min(samples_, samples_per_launch);
   const double measured =
       seconds / (static_cast<double>(tile.unit_count) * (tile.sample_end - tile.sample_begin));
   // A cheap stretch (background) must not make the next tile too long: the estimate falls by half at most.
   unit_sample_seconds_ = std::max(measured, unit_sample_seconds_ / 2);
+  wanted_units_ = std::min(units_in_time(), tile.unit_count * growth);
+}
+
+std::int64_t TileSchedule::units_in_time() const {
+  const int launch_samples = std::min(samples_, samples_per_launch);
   const double wanted = tile_seconds_ / std::max(unit_sample_seconds_ * launch_samples, 1e-12);
-  const double limit = static_cast<double>(std::min(max_units_, tile.unit_count * growth));
-  wanted_units_ = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::min(wanted, limit)));
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::min(wanted, static_cast<double>(max_units_))));
 }
 
 bool TileSchedule::shrink(std::int64_t first_unit) {

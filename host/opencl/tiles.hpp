@@ -16,8 +16,10 @@ class TileSchedule {
   // whatever the tiles.
   static constexpr int samples_per_launch = 16;
 
+  // unit_sample_seconds: what a sample of a unit may be expected to take (0: not known).
   // row_units: units in a row of the picture; tiles end with rows where they hold a whole one. 0: do not mind rows.
-  TileSchedule(std::int64_t units, std::int64_t row_units, int samples, std::int64_t max_units, double tile_seconds);
+  TileSchedule(std::int64_t units, std::int64_t row_units, int samples, std::int64_t max_units, double tile_seconds,
+               double unit_sample_seconds = 0);
 
   // The next launch: all samples of some units, then further units. False at the end of the picture.
   bool next(Tile& tile);
@@ -29,9 +31,11 @@ class TileSchedule {
   bool shrink(std::int64_t first_unit);
 
   std::int64_t max_units() const { return max_units_; }
+  double unit_sample_seconds() const { return unit_sample_seconds_; }
 
  private:
   std::int64_t size_at(std::int64_t first_unit) const;
+  std::int64_t units_in_time() const;
 
   std::int64_t units_, row_units_, max_units_, wanted_units_;
   int samples_;

@@ -15,8 +15,8 @@ const char* const stand_in_trace = R"(
 #include "portable.h"
 __kernel __attribute__((reqd_work_group_size(LOCAL_SIZE, 1, 1)))
 void trace(__global const int* ints, __global const scalar* reals, __global const scalar* tables,
-           __global const scalar* samples, __global scalar* out, __global uint* counters, int first_item,
-           int item_count, int sample_begin, int sample_end) {
+           __global const scalar* samples, __global const int* pixels, __global scalar* out, __global uint* counters,
+           int listed, int first_item, int item_count, int sample_begin, int sample_end) {
   int g = (int)get_global_id(0);
   if (g >= item_count) return;
   int item = first_item + g;
@@ -26,6 +26,7 @@ void trace(__global const int* ints, __global const scalar* reals, __global cons
   for (int c = 0; c < OUT_COMPONENTS; ++c)
     for (int lane = 0; lane < LANES; ++lane) {
       int pixel = over_pixels ? item / parts * LANES + lane : item / parts;
+      if (listed > 0) pixel = pixels[min(pixel, listed - 1)];
       int w = over_pixels ? item % parts : item % parts * LANES + lane;
       scalar sum = 0;
       for (int s = sample_begin; s < sample_end; ++s)
