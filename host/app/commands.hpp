@@ -45,6 +45,9 @@ struct RenderCommand {
   SceneOptions options;
   DeviceOptions device;
   bool quiet = false;
+  bool resume = false;      // --continue: from the tiles that an unfinished run has kept
+  bool no_budget = false;
+  std::string error_map;    // "": none
   std::string command_line;  // for the picture's header
 };
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <new>
 
+#include "host/app/accuracy_command.hpp"
 #include "host/app/commands.hpp"
 #include "host/app/interrupt.hpp"
 #include "host/app/povray_switches.hpp"
@@ -84,9 +85,49 @@ void add_render(CLI::App& app, RenderCommand& command, Verb& chosen) {
       ->check(CLI::Range(1, 65536));
   add_error_option(*verb, "--sample-error", command.options.sample_error,
                    "RMS error of pixel sampling relative to the mean radiance: samples go where they matter");
+  add_error_option(*verb, "--error", command.options.error,
+                   "RMS error of the picture relative to its mean radiance: the settings that keep it are picked");
+  verb->add_flag("--continue", command.resume, "Go on from what an interrupted or killed render has kept (OUTPUT.part)");
+  verb->add_option("--error-map", command.error_map, "Picture (.exr or .png) of what each pixel may be off by");
+  verb->add_flag("--no-budget", command.no_budget, "Do not look into the picture's errors afterwards");
   add_device_options(*verb, command.device, {"float", "double"});
   verb->add_flag("-q,--quiet", command.quiet, "Tell only what went wrong");
   verb->callback([&] { chosen = [&] { return render_command(command); }; });
+}
+
+void add_accuracy(CLI::App& app, AccuracyCommand& command, Verb& chosen) {
+  CLI::App* verb = app.add_subcommand(
+      "accuracy", "Measure what accuracy costs in time: table, .csv, and a plot as .png and .svg");
+  verb->add_option("scene", command.scene, "The scene")->required();
+  verb->add_option("-o,--output", command.output, "Table to write (.csv), the plots beside it");
+  add_scene_options(*verb, command.options);
+  verb->add_option("--samples", command.options.samples,
+                   "Samples per pixel, instead of the scene's")
+      ->check(CLI::Range(1, 65536));
+  verb->add_option("--knobs", command.knobs, "Turn only these (with commas between)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(accuracy_knobs()));
+  verb->add_option("--repeats", command.repeats, "Renderings of each setting")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  verb->add_option("--most-samples", command.most_samples, "Samples per pixel that are tried")
+      ->check(CLI::Range(1, 65536))
+      ->capture_default_str();
+  verb->add_option("--longest", command.longest_seconds,
+                   "Seconds: more samples are not tried where they would take longer")
+      ->capture_default_str();
+  verb->add_option("--reference-error", command.reference_error,
+                   "RMS error of the reference's pixel sampling")
+      ->type_name("PERCENT")
+      ->capture_default_str();
+  verb->add_option("--reference-samples", command.reference_samples,
+                   "Samples per pixel of the reference, at most")
+      ->check(CLI::Range(4, 65536))
+      ->capture_default_str();
+  add_device_options(*verb, command.device, {"float", "double"});
+  verb->add_flag("-q,--quiet", command.quiet, "No progress bar");
+  verb->callback([&] { chosen = [&] { return accuracy_command(command); }; });
 }
 
 void add_explain(CLI::App& app, ExplainCommand& command, Verb& chosen) {
@@ -155,12 +196,14 @@ int run(const std::vector<std::string>& arguments) {
     return fmt::format("nicol: {}\nTry `nicol --help` or `nicol VERB --help`.\n", error.what());
   });
   RenderCommand render;
+  AccuracyCommand accuracy;
   ExplainCommand explain;
   CheckCommand check;
   ExpectCommand expect;
   DeviceOptions device;
   Verb chosen;
   add_render(app, render, chosen);
+  add_accuracy(app, accuracy, chosen);
   add_explain(app, explain, chosen);
   add_check(app, check, chosen);
   add_expect(app, expect, chosen);

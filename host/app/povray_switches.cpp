@@ -75,6 +75,10 @@ std::vector<std::string> translate_povray_switches(const std::vector<std::string
   std::vector<std::string> out;
   for (const std::string& argument : arguments) {
     const bool plus = argument.size() > 1 && argument[0] == '+';
+    if (lower(argument) == "+c" || lower(argument) == "continue_trace=on") {
+      out.push_back("--continue");
+      continue;
+    }
     if (plus && translate_switch(argument, out)) continue;
     const std::string name = lower(argument.substr(0, std::min<std::size_t>(3, argument.size())));
     if (plus && (ignorable.find(name[1]) != std::string_view::npos || name == "+wt")) {
@@ -83,7 +87,7 @@ std::vector<std::string> translate_povray_switches(const std::vector<std::string
     }
     if (plus)
       throw UsageError(
-          fmt::format("the POV-Ray switch {} is not obeyed by nicol, which takes +I +O +W +H +L "
+          fmt::format("the POV-Ray switch {} is not obeyed by nicol, which takes +I +O +W +H +L +C "
                       "and Declare=name=value",
                       argument));
     const bool setting = !argument.empty() &&

@@ -12,7 +12,9 @@
 
 #include "host/opencl/device_impl.hpp"
 #include "host/opencl/errors.hpp"
+#include "host/opencl/binary_cache.hpp"
 #include "host/opencl/gather.hpp"
+#include "host/opencl/kernel_source.hpp"
 #include "host/opencl/program.hpp"
 #include "host/opencl/samples.hpp"
 #include "host/opencl/sampling_plan.hpp"
@@ -107,6 +109,17 @@ class Renderer {
   void allocate(const TileSchedule& schedule);
   void submit(int slot, const Tile& tile);
   void collect(int slot, TileSchedule& schedule);
+  bool covered(const Tile& tile) const {
+    return options_.journal->covered_units(report_.passes, tile.first_unit, begin_ + tile.sample_begin, begin_ + tile.sample_end) > 0;
+  }
+  bool take_from_journal(Tile& tile, TileSchedule& schedule);
+  void keep_in_journal(const Tile& tile, const Slot& slot);
+  void gather(const Tile& tile, const void* sums);
+  void count(const Counters& counted);
+  TileKey key_of(const Tile& tile) const {
+    return {report_.passes, tile.first_unit, tile.unit_count, begin_ + tile.sample_begin, begin_ + tile.sample_end};
+  }
+  std::size_t bytes_per_unit() const { return static_cast<std::size_t>(out_values(1)) * scalar_bytes_; }
   void drop_all();
   void tell_progress(const Tile& tile);
   void tell_errors();
@@ -226,20 +239,64 @@ void Renderer::collect(int index, TileSchedule& schedule) {
   schedule.took(tile, seconds_since(last_collected_));
   last_collected_ = Clock::now();
   if (report_.tiles++ == 0) report_.seconds_to_first_tile = seconds_since(start_);
-  if (options_.kernel.real_double)
-    gather_.add(tile, static_cast<const double*>(slot.mapped));
-  else
-    gather_.add(tile, static_cast<const float*>(slot.mapped));
+  gather(tile, slot.mapped);
+  keep_in_journal(tile, slot);
   device_.queues[index].enqueueUnmapMemObject(slot.out, slot.mapped);
   slot.tile.reset();
-  report_.nan_count += slot.counted[COUNT_NAN];
-  report_.energy_count += slot.counted[COUNT_ENERGY];
-  report_.stack_count += slot.counted[COUNT_STACK];
-  report_.stokes_count += slot.counted[COUNT_STOKES];
-  report_.fallback_count += slot.counted[COUNT_FALLBACK];
-  report_.segments += slot.counted[COUNT_SEGMENTS];
-  if (tile.sample_end == end_ - begin_) units_done_ = tile.first_unit + tile.unit_count;
+  count(slot.counted);
   tell_progress(tile);
+}
+
+void Renderer::count(const Counters& counted) {
+  report_.nan_count += counted[COUNT_NAN];
+  report_.energy_count += counted[COUNT_ENERGY];
+  report_.stack_count += counted[COUNT_STACK];
+  report_.stokes_count += counted[COUNT_STOKES];
+  report_.fallback_count += counted[COUNT_FALLBACK];
+  report_.segments += counted[COUNT_SEGMENTS];
+}
+
+void Renderer::gather(const Tile& tile, const void* sums) {
+  if (options_.kernel.real_double)
+    gather_.add(tile, static_cast<const double*>(sums));
+  else
+    gather_.add(tile, static_cast<const float*>(sums));
+  if (tile.sample_end == end_ - begin_) units_done_ = tile.first_unit + tile.unit_count;
+}
+
+// What a tile counted goes with its first unit, as a pass of its own.
+TileKey key_of_counters(TileKey tile, std::int64_t unit) {
+  tile.pass = -1 - tile.pass;
+  tile.first_unit = unit;
+  tile.unit_count = 1;
+  return tile;
+}
+
+void Renderer::keep_in_journal(const Tile& tile, const Slot& slot) {
+  if (!options_.journal || seconds_since(start_) < options_.journal_after_seconds) return;
+  const TileKey key = key_of(tile);
+  options_.journal->add(key_of_counters(key, key.first_unit), slot.counted.data(), sizeof(Counters));
+  options_.journal->add(key, slot.mapped, bytes_per_unit() * static_cast<std::size_t>(tile.unit_count));
+}
+
+// The start of the tile, if an earlier run has finished it.
+bool Renderer::take_from_journal(Tile& tile, TileSchedule& schedule) {
+  if (!options_.journal) return false;
+  TileKey key = key_of(tile);
+  const std::int64_t units =
+      options_.journal->covered_units(key.pass, key.first_unit, key.sample_begin, key.sample_end);
+  if (units <= 0 || (tile.sample_begin > 0 && units < tile.unit_count)) return false;
+  if (tile.sample_begin == 0) schedule.cut(tile, units);
+  key = key_of(tile);
+  std::vector<unsigned char> bytes(bytes_per_unit() * static_cast<std::size_t>(tile.unit_count));
+  if (!options_.journal->find(key, bytes_per_unit(), bytes.data())) return false;
+  gather(tile, bytes.data());
+  Counters counted;
+  for (std::int64_t unit = key.first_unit; unit < key.first_unit + key.unit_count; ++unit)
+    if (options_.journal->find(key_of_counters(key, unit), sizeof counted, counted.data())) count(counted);
+  ++report_.tiles_found;
+  tell_progress(tile);
+  return true;
 }
 
 void Renderer::tell_progress(const Tile& tile) {
@@ -276,9 +333,12 @@ bool Renderer::run_tiles(TileSchedule& schedule) {
       if (!ready) allocate(schedule);
       ready = true;
       int index = 0;
-      for (Tile tile; !cancelled() && schedule.next(tile); index ^= 1) {
+      for (Tile tile; !cancelled() && schedule.next(tile);) {
         if (slots_[index].tile) collect(index, schedule);
+        if (options_.journal && slots_[index ^ 1].tile && covered(tile)) collect(index ^ 1, schedule);
+        if (take_from_journal(tile, schedule)) continue;
         submit(index, tile);
+        index ^= 1;
       }
       for (int i : {index, index ^ 1})
         if (slots_[i].tile) collect(i, schedule);
@@ -354,6 +414,7 @@ void Renderer::run() {
   const int first = first_samples(options_);
   report_.interrupted = !run_pass(nullptr, 0, first);
   if (!report_.interrupted && options_.sample_error > 0) refine();
+  if (!report_.interrupted && frame_.sample_error.empty()) gather_.estimate_errors();
   gather_.finish();
   report_.seconds = seconds_since(start_);
   tell_errors();
@@ -396,6 +457,28 @@ Frame render(Device& device, const PackedScene& scene, const std::vector<double>
     throw DeviceError(error_message(error, device.about.name));
   }
   return frame;
+}
+
+std::string render_identity(const Device& device, const PackedScene& scene, const std::vector<double>& lambda_nm,
+                            const RenderOptions& options) {
+  std::string data;
+  const auto put = [&data](const auto& values) {
+    data.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
+    data += ';';
+  };
+  put(scene.ints);
+  put(scene.reals);
+  put(scene.tables);
+  put(scene.mixing);
+  put(lambda_nm);
+  put(options.positions);
+  put(options.pixels);
+  const DeviceInfo& about = info(device);
+  return fmt::format("{} {} x {}, {} channels, features {:#x}{}, {} samples, error {:.17g} by {}; {} {} lanes of {}; kernels {}; {}",
+                     hash_text(data), scene.width, scene.height, scene.channels, scene.features,
+                     options.kernel.generic ? " generic" : "", options.samples, options.sample_error, options.most_samples,
+                     fmt::format("{} {} {}", about.name, about.version, about.driver), lanes_on(device, options.kernel), options.kernel.real_double ? "double" : "float",
+                     hash_text(expand_includes("trace.cl")), OUT_COMPONENTS);
 }
 
 BuildReport prepare_kernel(Device& device, std::uint32_t features, const KernelOptions& options) {

@@ -10,6 +10,7 @@
 
 #include "host/opencl/device.hpp"
 #include "host/output/frame.hpp"
+#include "host/output/journal.hpp"
 #include "host/pack.hpp"
 
 namespace nicol {
@@ -45,6 +46,9 @@ struct RenderOptions {
   int most_samples = 4095;                        // of a pixel, then
   std::vector<std::int32_t> pixels;               // only these (row * width + column): the frame is a row of them; empty: all
   double tile_seconds = 0.03;
+  // Where finished tiles are kept and found again; tiles of the first seconds are not worth it. Null: nowhere.
+  Journal* journal = nullptr;
+  double journal_after_seconds = 3;
   std::function<void(const Progress&)> progress;
   const std::atomic<bool>* cancel = nullptr;      // set by Ctrl-C: stops after the tiles in flight
 };
@@ -66,7 +70,7 @@ struct RenderReport {
   bool sample_error_kept = true;     // what was asked for
   double mean_radiance = 0;          // S0 per nm
   double cut_off_mean = 0, cut_off_worst = 0;   // weight of dropped paths relative to a full path, per pixel
-  int tiles = 0;
+  int tiles = 0, tiles_found = 0;   // launched; found in the journal
   bool interrupted = false;
   std::string device;
   int lanes = 0;
@@ -80,6 +84,13 @@ int lanes_on(const Device& device, const KernelOptions& options);
 // Throws DeviceError.
 Frame render(Device& device, const PackedScene& scene, const std::vector<double>& lambda_nm,
              const std::vector<double>& weight_nm, const RenderOptions& options, RenderReport& report);
+
+// The feature that has each pixel's error estimated (kernels/features.def).
+std::uint32_t path_signatures_bit();
+
+// All that decides the bits of that picture, for its journal.
+std::string render_identity(const Device& device, const PackedScene& scene, const std::vector<double>& lambda_nm,
+                            const RenderOptions& options);
 
 // Builds (or loads) the kernel that this scene needs, without rendering.
 BuildReport prepare_kernel(Device& device, std::uint32_t features, const KernelOptions& options);

@@ -37,6 +37,10 @@ bool TileSchedule::next(Tile& tile) {
   return true;
 }
 
+void TileSchedule::cut(Tile& tile, std::int64_t units) {
+  if (units < tile.unit_count) current_.unit_count = tile.unit_count = units;
+}
+
 void TileSchedule::took(const Tile& tile, double seconds) {
   const double measured =
       seconds / (static_cast<double>(tile.unit_count) * (tile.sample_end - tile.sample_begin));

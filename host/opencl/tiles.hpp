@@ -24,6 +24,9 @@ class TileSchedule {
   // The next launch: all samples of some units, then further units. False at the end of the picture.
   bool next(Tile& tile);
 
+  // The tile that next() gave holds no more than its first units; samples not begun yet.
+  void cut(Tile& tile, std::int64_t units);
+
   // What `tile` took decides the size of those to come.
   void took(const Tile& tile, double seconds);
 

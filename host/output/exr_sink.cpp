@@ -61,6 +61,8 @@ class Layout {
     header_.compression() = packing == ExrPacking::piz ? Imf::PIZ_COMPRESSION : Imf::NO_COMPRESSION;
     for (int k = 0; k < 3; ++k) add(std::string(1, "RGB"[k]), rgb.data() + k, 3);
     if (!frame.cut_off.empty()) add("cutoff", frame.cut_off.data(), 1);
+    if (!frame.sample_error.empty()) add("error.sampling", frame.sample_error.data(), 1);
+    for (const auto& [name, plane] : frame.planes) add(name, plane.data(), 1);
     for (int s = 0; s < 4; ++s)
       for (std::size_t i = 0; i < frame.lambda_nm.size(); ++i)
         add(channel_name(s, frame.lambda_nm[i]), frame.component(s, i), 1);

@@ -23,6 +23,7 @@ std::unique_ptr<FrameSink> make_sink(const std::string& path) {
 }
 
 std::vector<float> linear_rgb(const Frame& frame) {
+  if (!frame.rgb.empty()) return frame.rgb;
   std::vector<std::array<double, 3>> weights;
   for (std::size_t i = 0; i < frame.lambda_nm.size(); ++i) {
     auto xyz = colour_matching(frame.lambda_nm[i]);
@@ -71,9 +72,13 @@ std::vector<std::pair<std::string, std::string>> notes_of(const Frame& frame) {
 
 void check_frame(const Frame& frame, const std::string& path) {
   if (frame.width <= 0 || frame.height <= 0) cannot_write(path, "the picture has no pixels");
-  if (frame.lambda_nm.empty()) cannot_write(path, "the picture has no wavelengths");
+  if (frame.lambda_nm.empty() && frame.rgb.empty()) cannot_write(path, "the picture has no wavelengths");
   const bool fits = frame.weight_nm.size() == frame.lambda_nm.size() &&
                     frame.stokes.size() == 4 * frame.lambda_nm.size() * frame.plane() &&
+                    (frame.rgb.empty() || frame.rgb.size() == 3 * frame.plane()) &&
+                    (frame.sample_error.empty() || frame.sample_error.size() == frame.plane()) &&
+                    std::all_of(frame.planes.begin(), frame.planes.end(),
+                                [&](const auto& named) { return named.second.size() == frame.plane(); }) &&
                     (frame.cut_off.empty() || frame.cut_off.size() == frame.plane());
   if (!fits) cannot_write(path, "the arrays of the picture do not fit its size");
 }

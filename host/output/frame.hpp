@@ -20,6 +20,8 @@ struct Frame {
   // [row][column]: estimated error of pixel sampling, RMS over wavelengths of the Stokes vector's, in units of radiance; empty: not known
   std::vector<float> sample_error;
   double exposure = 1;          // factor on R, G, B
+  std::vector<float> rgb;               // linear sRGB, 3 a pixel, in place of what the spectra give; empty: that
+  std::vector<std::pair<std::string, std::vector<float>>> planes;  // further channels of an EXR: name, [row][column]
   std::vector<std::pair<std::string, std::string>> how;  // scene, settings, device, error budget: for the header
   int rows_done = 0;            // an interrupted picture has its first rows only in no special order: see row_done
   std::vector<unsigned char> row_done;  // per row; rows not done are zero
