@@ -15,8 +15,8 @@ struct AccuracyCommand {
   std::vector<std::string> knobs;        // names of the knobs to turn; empty: all
   int repeats = 3;                       // renderings of each setting
   int most_samples = 64;                 // a pixel, of the uniform ones that are tried
-  std::string reference_error = "0.02%"; // of the reference's sampling
-  int reference_samples = 1023;          // a pixel, at most
+  std::string reference_error = "0.05%"; // of the reference's sampling
+  int reference_samples = 4095;          // a pixel, at most
   double longest_seconds = 20;           // more samples are not tried where they would take longer
   bool quiet = false;
 

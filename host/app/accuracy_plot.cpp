@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 
 #include "host/app/accuracy_report.hpp"
 
 namespace nicol::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 // Text inside gnuplot's single quotes.
 std::string quoted(const std::string& text) {
@@ -103,16 +106,24 @@ std::string accuracy_plot(const AccuracyCommand& command, const Sweep& sweep, co
 
   const Reference& reference = sweep.reference;
   std::string text = fmt::format(
-      "set terminal {}\nset encoding utf8\nset title '{}, {}x{} pixels, on {}{}' noenhanced\n", terminal, quoted(command.scene),
+      "set terminal {}\nset encoding utf8\nset title '{}, {}x{} pixels, on {}{}' noenhanced\n", terminal, quoted(fs::path(command.scene).filename()),
       command.options.width, command.options.height, quoted(sweep.device), sweep.interrupted ? " (interrupted)" : "");
   text +=
-      "set logscale xy\nset grid xtics ytics mxtics mytics lc rgb '#DDDDDD', lc rgb '#F0F0F0'\n"
+      "set logscale xy\nset grid xtics ytics lt 1 lc rgb '#E4E4E4'\n"
       "set xlabel 'time of the picture in seconds (median, bars from the fastest to the slowest rendering)'\n"
       "set ylabel 'RMS error in % of the mean radiance'\n"
-      "set key outside right top noenhanced spacing 1.2\nset format y '%g'\nset format x '%g'\nset offsets 0, 0, 0, 0\n";
+      "set key outside right top Left reverse noenhanced spacing 1.2\nset format y '%g'\nset format x '%g'\n";
   if (reference.own_error() > 0) {
     const double own = 100 * reference.own_error();
     text += fmt::format("set arrow from graph 0, first {:g} to graph 1, first {:g} nohead dt 2 lc rgb '#808080'\n", own, own);
+    // The range holds the line too.
+    double least = own, most = own;
+    for (const Measurement& m : sweep.measurements) {
+      if (!drawable(m)) continue;
+      least = std::min(least, 100 * m.error.rms());
+      most = std::max(most, 100 * m.error.rms());
+    }
+    text += fmt::format("set yrange [{:g}:{:g}]\n", least / 1.5, most * 1.5);
     text += fmt::format("set label 'error of the reference' at graph 0.01, first {:g} offset 0, 0.5 tc rgb '#606060'\n", own);
   }
   return text + script.text();

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 
 namespace nicol::app {
@@ -37,6 +36,14 @@ void append_reference(const Sweep& sweep, std::string& text) {
                  "its own error: {} % RMS (sampling {} %, spectral step {} %, cut-off {} %); of smaller ones nothing is said\n",
                  setting_text(r.setting), r.setting.lambda_nm.size(), r.samples_mean, r.seconds, percent(r.own_error()),
                  percent(r.sampling), percent(r.spectral), percent(r.cut_off));
+}
+
+// What the scene's own setting errs by each of its knobs.
+void append_base(const Sweep& sweep, std::string& text) {
+  std::string parts;
+  for (const auto& [knob, error] : sweep.base_alone)
+    if (knob != Knob::adaptive) parts += fmt::format("{}{} {} %", parts.empty() ? "" : ", ", knob_name(knob), percent(error));
+  if (!parts.empty()) fmt::format_to(std::back_inserter(text), "the scene as it is errs by its {}\n", parts);
 }
 
 std::size_t text_width(const Sweep& sweep) {
@@ -115,6 +122,7 @@ std::string accuracy_table(const AccuracyCommand& command, const Sweep& sweep) {
                    m.error.ciede_95, m.error.ciede_worst, front[i] ? " *" : "");
   }
   fmt::format_to(out, "alone: what this knob errs, all else alike; * no other setting is faster and better\n");
+  append_base(sweep, text);
   append_noise(sweep, text);
   for (const std::string& note : sweep.notes) fmt::format_to(out, "{}\n", note);
   append_choices(command, sweep, text);

@@ -20,7 +20,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::array<Knob, 4> turned{Knob::wavelengths, Knob::depth, Knob::cut_off, Knob::precision};
-constexpr std::array<Knob, 2> sampling{Knob::samples, Knob::adaptive};
 constexpr double dearer = 4;  // the next value of samples, in time
 
 struct Interrupted {};
@@ -60,7 +59,7 @@ class Sweeper {
       make_reference();
       measure_base();
       for (const Knob knob : turned) turn(knob);
-      for (const Knob knob : sampling) turn_sampling(knob);
+      turn_sampling();
       leave_out_effects();
       combine();
       for (int repeat = 1; repeat < command_.repeats; ++repeat)
@@ -91,17 +90,21 @@ class Sweeper {
     ahead_.assign(static_cast<std::size_t>(1 + (wanted(Knob::combined) ? combined_guess : 0)), base_);
     for (const Knob knob : turned)
       for (const KnobValue& value : values_of(knob)) ahead_.push_back(value.setting);
-    for (const Knob knob : sampling)
+    for (const Knob knob : {Knob::samples, Knob::adaptive})
       for (const KnobValue& value : values_of(knob)) ahead_.push_back(value.setting);
     if (wanted(Knob::effects)) ahead_.insert(ahead_.end(), effects_of(scenes_.base()).size(), base_);
   }
 
+  // As measured; else from the setting that is sampled alike, or from the first.
   double expected_seconds(const AccuracySetting& setting) const {
-    for (const Measurement& m : sweep_.measurements)
-      if (m.setting == setting && !m.seconds.empty()) return m.median();
-    const double of_base = sweep_.measurements.empty() ? sweep_.reference.seconds / relative_cost(sweep_.reference.setting, base_)
-                                                       : sweep_.measurements.front().median();
-    return of_base * relative_cost(setting, base_);
+    if (sweep_.measurements.empty())
+      return sweep_.reference.seconds / relative_cost(sweep_.reference.setting, setting);
+    const Measurement* like = &sweep_.measurements.front();
+    for (const Measurement& m : sweep_.measurements) {
+      if (m.setting == setting) return m.median();
+      if (m.setting.samples == setting.samples && m.setting.sample_error == setting.sample_error) like = &m;
+    }
+    return like->median() * relative_cost(setting, like->setting);
   }
 
   // Seconds of everything after the render in progress, repetitions included.
@@ -184,8 +187,8 @@ class Sweeper {
     sweep_.has_reference = true;
   }
 
-  // Renders once and appends; answers the picture.
-  Frame measure(Knob knob, const std::string& text, const AccuracySetting& setting) {
+  // Renders once and appends.
+  Timed measure(Knob knob, const std::string& text, const AccuracySetting& setting) {
     Timed timed = render_timed(setting);
     Measurement m;
     m.knob = knob;
@@ -195,49 +198,41 @@ class Sweeper {
     m.seconds = {timed.seconds};
     m.samples_mean = timed.samples_mean;
     sweep_.measurements.push_back(m);
-    return std::move(timed.frame);
+    return timed;
   }
 
-  void measure_base() {
-    base_frame_ = measure(Knob::base, "as it is", base_);
-    base_alone_.assign(static_cast<std::size_t>(Knob::combined) + 1, 0);
-  }
-
-  double& base_alone(Knob knob) { return base_alone_[static_cast<std::size_t>(knob)]; }
-
-  // RMS error that the base has by everything but its samples.
-  double error_beside_samples() {
-    double square = 0;
-    for (const Knob knob : turned) square += base_alone(knob) * base_alone(knob);
-    return std::sqrt(square);
-  }
-
-  static double less(double error, double part) { return std::sqrt(std::max(0.0, error * error - part * part)); }
+  void measure_base() { base_frame_ = measure(Knob::base, "as it is", base_).frame; }
 
   // Each value against the best of its knob, all else alike: what this knob alone errs.
   void turn(Knob knob) {
     const std::vector<KnobValue> values = values_of(knob);
     if (values.empty()) return;
-    const Frame first = measure(knob, values[0].text, values[0].setting);
+    const Frame first = measure(knob, values[0].text, values[0].setting).frame;
     const Frame& best = more_accurate(knob, values[0].setting, base_) ? first : base_frame_;
-    base_alone(knob) = picture_error(base_frame_, best).rms();
+    sweep_.base_alone[knob] = picture_error(base_frame_, best).rms();
     sweep_.measurements.back().alone = picture_error(first, best).rms();
     for (std::size_t i = 1; i < values.size(); ++i) {
-      const Frame frame = measure(knob, values[i].text, values[i].setting);
+      const Frame frame = measure(knob, values[i].text, values[i].setting).frame;
       sweep_.measurements.back().alone = picture_error(frame, best).rms();
     }
   }
 
-  // What is left of the error when that of the other knobs is taken off.
-  void turn_sampling(Knob knob) {
-    const double others = error_beside_samples();
-    base_alone(knob) = less(sweep_.measurements.front().error.rms(), others);
-    const std::vector<KnobValue> values = values_of(knob);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (i > 0 && too_long(values, i)) return;
-      measure(knob, values[i].text, values[i].setting);
-      sweep_.measurements.back().alone = less(sweep_.measurements.back().error.rms(), others);
+  // Against the best sampled picture, whose own error counts too.
+  void turn_sampling() {
+    std::vector<std::pair<std::size_t, Frame>> frames;
+    double error_of_best = 0;
+    for (const Knob knob : {Knob::samples, Knob::adaptive}) {
+      const std::vector<KnobValue> values = values_of(knob);
+      for (std::size_t i = 0; i < values.size() && (i == 0 || !too_long(values, i)); ++i) {
+        Timed timed = measure(knob, values[i].text, values[i].setting);
+        error_of_best = std::isnan(timed.sampling) ? 0 : timed.sampling;
+        frames.emplace_back(sweep_.measurements.size() - 1, std::move(timed.frame));
+      }
     }
+    if (frames.empty()) return;
+    const auto alone = [&](const Frame& frame) { return std::hypot(picture_error(frame, frames.back().second).rms(), error_of_best); };
+    sweep_.base_alone[Knob::samples] = sweep_.base_alone[Knob::adaptive] = alone(base_frame_);
+    for (const auto& [place, frame] : frames) sweep_.measurements[place].alone = alone(frame);
   }
 
   bool too_long(const std::vector<KnobValue>& values, std::size_t next) {
@@ -257,17 +252,19 @@ class Sweeper {
     for (const Effect& effect : effects_of(scenes_.base())) {
       AccuracySetting setting = base_;
       setting.without = effect.name;
-      const Frame frame = measure(Knob::effects, fmt::format("{}: {}", effect.name, effect.without), setting);
+      const Frame frame = measure(Knob::effects, fmt::format("{}: {}", effect.name, effect.without), setting).frame;
       sweep_.measurements.back().alone = picture_error(frame, base_frame_).rms();
     }
   }
 
   void combine() {
     if (!wanted(Knob::combined)) return;
-    const auto settings = combined_settings(sweep_.measurements, base_alone_, sweep_.reference.own_error());
-    ahead_ = settings;
+    ahead_ = combined_settings(sweep_.measurements, sweep_.base_alone, sweep_.reference.own_error());
+    const auto too_long = [&](const AccuracySetting& setting) { return expected_seconds(setting) > command_.longest_seconds; };
+    ahead_.erase(std::remove_if(ahead_.begin(), ahead_.end(), too_long), ahead_.end());
     int number = 0;
-    for (const AccuracySetting& setting : settings) measure(Knob::combined, fmt::format("number {}", ++number), setting);
+    for (const AccuracySetting& setting : std::vector<AccuracySetting>(ahead_))
+      measure(Knob::combined, fmt::format("number {}", ++number), setting);
   }
 
   const AccuracyCommand& command_;
@@ -278,7 +275,6 @@ class Sweeper {
   AccuracySetting base_;
   Sweep sweep_;
   Frame reference_frame_, base_frame_;
-  std::vector<double> base_alone_;
   std::set<std::pair<std::uint32_t, bool>> prepared_;
   std::vector<AccuracySetting> ahead_;
   double ahead_seconds_ = 0;

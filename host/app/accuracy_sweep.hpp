@@ -16,6 +16,7 @@ struct Sweep {
   bool has_reference = false;   // false: interrupted before there was anything to tell
   Reference reference;
   std::vector<Measurement> measurements;
+  KnobErrors base_alone;            // what each knob errs where the scene has it
   std::vector<std::string> notes;   // what was left out, and why
   std::string device;               // as the renders report it
   bool interrupted = false;
