@@ -17,28 +17,23 @@ constexpr double edge_share = 0.3;
 
 double square_of(float v) { return static_cast<double>(v) * static_cast<double>(v); }
 
-// Calls what(neighbour) for the pixel's eight neighbours in the picture.
-template <class What>
-void each_neighbour(std::size_t pixel, int width, int height, What what) {
-  const int x = static_cast<int>(pixel) % width, y = static_cast<int>(pixel) / width;
-  for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
-    for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
-      if (u != x || v != y) what(static_cast<std::size_t>(v) * width + u);
-}
+constexpr int neighbours[8][2] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
 
 }  // namespace
 
-// Which neighbours of each pixel met something else, as eight bits in the order of each_neighbour.
+// Which neighbours in the picture met something else than the pixel: a bit for each of `neighbours`.
 std::vector<unsigned char> Gather::other_neighbours(std::size_t channel) const {
-  const std::int32_t* signature = signature_.data() + channel * frame_.plane();
+  const int width = frame_.width, height = frame_.height;
   std::vector<unsigned char> others(frame_.plane());
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    unsigned bits = 0, bit = 1;
-    each_neighbour(i, frame_.width, frame_.height, [&](std::size_t n) {
-      if (signature[n] != signature[i] || signature[i] < 0) bits |= bit;
-      bit <<= 1;
-    });
-    others[i] = static_cast<unsigned char>(bits);
+  for (int k = 0; k < 8; ++k) {
+    const int dx = neighbours[k][0], dy = neighbours[k][1];
+    for (int y = std::max(0, -dy); y < height - std::max(0, dy); ++y) {
+      const std::int32_t* own = signature_.data() + channel * frame_.plane() + static_cast<std::size_t>(y) * width;
+      const std::int32_t* other = own + dy * width + dx;
+      unsigned char* to = others.data() + static_cast<std::size_t>(y) * width;
+      for (int x = std::max(0, -dx); x < width - std::max(0, dx); ++x)
+        to[x] = static_cast<unsigned char>(to[x] | ((own[x] != other[x] || own[x] < 0) << k));
+    }
   }
   return others;
 }
@@ -56,13 +51,9 @@ void Gather::add_first_errors(std::size_t w, const std::vector<unsigned char>& o
   };
   for (std::size_t i = 0; i < plane; ++i) {
     double step2 = 0;  // the largest to a neighbour that met something else
-    if (others[i] != 0) {
-      unsigned bits = others[i];
-      each_neighbour(i, frame_.width, frame_.height, [&](std::size_t n) {
-        if (bits & 1) step2 = std::max(step2, step_to(i, n));
-        bits >>= 1;
-      });
-    }
+    for (int k = 0; k < 8 && others[i] != 0; ++k)
+      if (others[i] >> k & 1)
+        step2 = std::max(step2, step_to(i, i + static_cast<std::size_t>(neighbours[k][1] * frame_.width + neighbours[k][0])));
     if (step2 > 0) {
       sum[i] += edge_share * edge_share * step2;
       continue;
