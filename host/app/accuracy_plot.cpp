@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <iterator>
 
 #include "host/app/accuracy_report.hpp"
 
@@ -42,91 +42,138 @@ const Series series[] = {
 
 bool drawable(const Measurement& m) { return !m.seconds.empty() && m.error.rms() > 0 && std::isfinite(m.error.rms()); }
 
-std::string point(const Measurement& m) {
-  return fmt::format("{:g} {:g} {:g} {:g}\n", m.median(), 100 * m.error.rms(), m.fastest(), m.slowest());
+std::string logarithmic(double relative) { return relative > 0 ? fmt::format("{:g}", 100 * relative) : "NaN"; }
+
+// Columns: median time, error, fastest, slowest, error of the knob alone.
+std::string point(const Measurement& m, double alone) {
+  return fmt::format("{:g} {} {:g} {:g} {}\n", m.median(), logarithmic(m.error.rms()), m.fastest(), m.slowest(), logarithmic(alone));
 }
 
-// Points of a knob by rising time, the scene's own among them, so that a line through them tells what turning it does.
+// Points of a knob by falling error, the scene's own among them, so that a line through them tells what turning it does.
 std::string points_of(const Sweep& sweep, Knob knob) {
   std::vector<const Measurement*> points;
   for (const Measurement& m : sweep.measurements)
     if ((m.knob == knob || (m.knob == Knob::base && knob != Knob::combined)) && drawable(m)) points.push_back(&m);
   const bool any = std::any_of(points.begin(), points.end(), [&](const Measurement* m) { return m->knob == knob; });
   if (!any) return "";
-  std::sort(points.begin(), points.end(), [](const auto* a, const auto* b) { return a->median() < b->median(); });
+  const auto at_base = sweep.base_alone.find(knob);
+  const auto alone = [&](const Measurement& m) {
+    return m.knob != Knob::base ? m.alone : at_base == sweep.base_alone.end() ? NAN : at_base->second;
+  };
+  std::sort(points.begin(), points.end(), [&](const auto* a, const auto* b) { return alone(*a) > alone(*b); });
   std::string text;
-  for (const Measurement* m : points) text += point(*m);
+  for (const Measurement* m : points) text += point(*m, alone(*m));
   return text;
 }
 
-// Data of one series as a block, and what plots it.
-class Script {
+// One panel's plot command over blocks of data.
+class Panel {
  public:
-  void add(const std::string& points, const std::string& how, const std::string& title) {
-    if (points.empty()) return;
-    const std::string name = fmt::format("$d{}", ++blocks_);
-    data_ += fmt::format("{} << EOD\n{}EOD\n", name, points);
-    plots_ += fmt::format("{}{} {} {}", plots_.empty() ? "plot " : ", \\\n  ", name, how,
+  void add(const std::string& block, const std::string& how, const std::string& title) {
+    plots_ += fmt::format("{}${} {} {}", plots_.empty() ? "plot " : ", \\\n  ", block, how,
                           title.empty() ? "notitle" : fmt::format("title '{}'", quoted(title)));
   }
-  std::string text() const { return data_ + plots_ + "\n"; }
+  std::string text() const { return plots_ + "\n"; }
 
  private:
-  int blocks_ = 0;
-  std::string data_, plots_;
+  std::string plots_;
 };
 
-void add_effects(const Sweep& sweep, Script& script) {
+// Upper panel: the picture's error, with legend. Lower: what each knob errs alone.
+struct Plot {
+  std::string data;
+  Panel whole, alone;
+
+  bool add_block(const std::string& name, const std::string& points) {
+    if (!points.empty()) data += fmt::format("${} << EOD\n{}EOD\n", name, points);
+    return !points.empty();
+  }
+};
+
+void add_knob(const Sweep& sweep, const Series& s, Plot& plot) {
+  const std::string block = fmt::format("knob{}", static_cast<int>(s.knob));
+  if (!plot.add_block(block, points_of(sweep, s.knob))) return;
+  const std::string style = s.style, colour = style.substr(style.find("lc rgb"));
+  if (s.knob != Knob::combined) {
+    plot.whole.add(block, "using 1:2 with lines dt 3 " + colour, "");
+    plot.alone.add(block, "using 1:5 with lines dt 3 " + colour, "");
+    plot.alone.add(block, "using 1:5:3:4 with xerrorbars " + style, "");
+  }
+  plot.whole.add(block, "using 1:2:3:4 with xerrorbars " + style, s.title);
+}
+
+void add_effects(const Sweep& sweep, Plot& plot) {
   char letter = 'a';
   for (const Measurement& m : sweep.measurements) {
     if (m.knob != Knob::effects || !drawable(m)) continue;
-    const std::string style = "lc rgb '#B00020'";
-    script.add(point(m), fmt::format("using 1:2 with points pt '{}' ps 1.3 {}", letter++, style), "without " + m.setting.without);
+    const std::string block = fmt::format("effect_{}", letter);
+    plot.add_block(block, point(m, m.alone));
+    const std::string style = fmt::format("with points pt '{}' ps 1.3 lc rgb '#B00020'", letter++);
+    plot.whole.add(block, "using 1:2 " + style, "without " + m.setting.without);
+    plot.alone.add(block, "using 1:5 " + style, "");
   }
+}
+
+Plot make_plot(const Sweep& sweep) {
+  Plot plot;
+  std::string front, base;
+  for (const std::size_t i : pareto_front(sweep.measurements)) front += point(sweep.measurements[i], NAN);
+  for (const Measurement& m : sweep.measurements)
+    if (m.knob == Knob::base && drawable(m)) base += point(m, NAN);
+  if (plot.add_block("front", front)) plot.whole.add("front", "using 1:2 with lines lw 5 lc rgb '#D0D0D0'", "Pareto front");
+  for (const Series& s : series) add_knob(sweep, s, plot);
+  add_effects(sweep, plot);
+  if (plot.add_block("base", base))
+    plot.whole.add("base", "using 1:2 with points pt 3 ps 2 lw 2 lc rgb '#000000'", "the scene as it is");
+  return plot;
+}
+
+// The reference's own error as a line, in a range that holds it.
+std::string reference_line(const Sweep& sweep) {
+  const double own = 100 * sweep.reference.own_error();
+  if (!(own > 0)) return "";
+  double least = own, most = own;
+  for (const Measurement& m : sweep.measurements) {
+    if (!drawable(m)) continue;
+    least = std::min(least, 100 * m.error.rms());
+    most = std::max(most, 100 * m.error.rms());
+  }
+  return fmt::format(
+      "set yrange [{0:g}:{1:g}]\nset arrow 1 from graph 0, first {2:g} to graph 1, first {2:g} nohead dt 2 lc rgb '#808080'\n"
+      "set label 1 'error of the reference' at graph 0.01, first {2:g} offset 0, 0.5 tc rgb '#606060'\n",
+      least / 1.5, most * 1.5, own);
+}
+
+// Times of all points, so that both panels have the same.
+std::string time_range(const Sweep& sweep) {
+  double least = HUGE_VAL, most = 0;
+  for (const Measurement& m : sweep.measurements) {
+    if (!drawable(m)) continue;
+    least = std::min(least, m.fastest());
+    most = std::max(most, m.slowest());
+  }
+  return most > 0 ? fmt::format("set xrange [{:g}:{:g}]\n", least / 1.3, most * 1.3) : "";
 }
 
 }  // namespace
 
 std::string accuracy_plot(const AccuracyCommand& command, const Sweep& sweep, const std::string& terminal) {
-  Script script;
-  std::string front;
-  for (const std::size_t i : pareto_front(sweep.measurements)) front += point(sweep.measurements[i]);
-  script.add(front, "using 1:2 with lines lw 5 lc rgb '#D0D0D0'", "Pareto front");
-  for (const Series& s : series) {
-    const std::string points = points_of(sweep, s.knob);
-    const std::string line = s.knob == Knob::combined ? "" : fmt::format("{} dt 3", s.style);
-    if (!line.empty()) script.add(points, "using 1:2 with lines " + line.substr(line.find("lc rgb")), "");
-    script.add(points, fmt::format("using 1:2:3:4 with xerrorbars {}", s.style), s.title);
-  }
-  add_effects(sweep, script);
-  std::string base;
-  for (const Measurement& m : sweep.measurements)
-    if (m.knob == Knob::base && drawable(m)) base += point(m);
-  script.add(base, "using 1:2 with points pt 3 ps 2 lw 2 lc rgb '#000000'", "the scene as it is");
-
-  const Reference& reference = sweep.reference;
-  std::string text = fmt::format(
-      "set terminal {}\nset encoding utf8\nset title '{}, {}x{} pixels, on {}{}' noenhanced\n", terminal, quoted(fs::path(command.scene).filename()),
-      command.options.width, command.options.height, quoted(sweep.device), sweep.interrupted ? " (interrupted)" : "");
-  text +=
-      "set logscale xy\nset grid xtics ytics lt 1 lc rgb '#E4E4E4'\n"
-      "set xlabel 'time of the picture in seconds (median, bars from the fastest to the slowest rendering)'\n"
-      "set ylabel 'RMS error in % of the mean radiance'\n"
-      "set key outside right top Left reverse noenhanced spacing 1.2\nset format y '%g'\nset format x '%g'\n";
-  if (reference.own_error() > 0) {
-    const double own = 100 * reference.own_error();
-    text += fmt::format("set arrow from graph 0, first {:g} to graph 1, first {:g} nohead dt 2 lc rgb '#808080'\n", own, own);
-    // The range holds the line too.
-    double least = own, most = own;
-    for (const Measurement& m : sweep.measurements) {
-      if (!drawable(m)) continue;
-      least = std::min(least, 100 * m.error.rms());
-      most = std::max(most, 100 * m.error.rms());
-    }
-    text += fmt::format("set yrange [{:g}:{:g}]\n", least / 1.5, most * 1.5);
-    text += fmt::format("set label 'error of the reference' at graph 0.01, first {:g} offset 0, 0.5 tc rgb '#606060'\n", own);
-  }
-  return text + script.text();
+  const Plot plot = make_plot(sweep);
+  const bool knobs = plot.alone.text().size() > 1;
+  std::string text = fmt::format("set terminal {}\nset encoding utf8\n{}", terminal, plot.data);
+  text += "set logscale xy\nset grid xtics ytics lt 1 lc rgb '#E4E4E4'\nset format y '%g'\nset format x '%g'\n";
+  text += "set key outside right top Left reverse noenhanced spacing 1.15 width 1\nset lmargin 10\nset rmargin 40\n";
+  text += time_range(sweep);
+  text += fmt::format("set title '{}, {}x{} pixels, on {}{}' noenhanced\n", quoted(fs::path(command.scene).filename()),
+                      command.options.width, command.options.height, quoted(sweep.device),
+                      sweep.interrupted ? " (interrupted)" : "");
+  const char* const time = "set xlabel 'seconds (median; bars from the fastest to the slowest rendering)'\n";
+  text += knobs ? "set multiplot\nset size 1, 0.6\nset origin 0, 0.4\n" : time;
+  text += "set ylabel 'RMS error of the picture, %'\n" + reference_line(sweep) + plot.whole.text();
+  if (!knobs) return text;
+  text += "set size 1, 0.4\nset origin 0, 0\nset key off\nunset arrow\nunset label\nunset title\nset autoscale y\n";
+  text += "set ylabel 'error of a knob alone, %'\n";
+  return text + time + plot.alone.text() + "unset multiplot\n";
 }
 
 }  // namespace nicol::app
