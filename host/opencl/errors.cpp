@@ -64,7 +64,29 @@ std::string error_name(cl_int code) {
 }
 
 std::string error_message(const cl::Error& error, const std::string& device) {
-  return fmt::format("{} failed with {} on {}", error.what(), error_name(error.err()), device);
+  return fmt::format("{} failed with {} on {}{}", error.what(), error_name(error.err()), device, way_out(error.err()));
+}
+
+std::string way_out(cl_int code) {
+  if (is_shortage(code))
+    return ": it has too little memory, even for the smallest tiles; take fewer wavelengths at once (--wavelengths), close what "
+           "else uses the device, or take another (`nicol devices` lists them)";
+  switch (code) {
+    case CL_DEVICE_NOT_AVAILABLE:
+    case CL_INVALID_COMMAND_QUEUE:
+    case CL_INVALID_CONTEXT:
+    case CL_INVALID_DEVICE:
+    case CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST:
+      return ": the device is gone or was reset; `render --continue` goes on from the tiles that are finished, on this device "
+             "when it is back; `nicol devices` lists others";
+    case CL_BUILD_PROGRAM_FAILURE:
+    case CL_COMPILER_NOT_AVAILABLE:
+    case CL_LINK_PROGRAM_FAILURE:
+    case CL_COMPILE_PROGRAM_FAILURE:
+      return ": this driver cannot build nicol's kernel; try `--generic`, a newer driver, or another device (`nicol devices` "
+             "lists them)";
+    default: return "";
+  }
 }
 
 bool is_shortage(cl_int code) {

@@ -41,8 +41,8 @@ cl::Program build_source(Device& device, const std::string& source, const std::s
   } catch (const cl::BuildError& error) {
     std::string log;
     for (const auto& [where, text] : error.getBuildLog()) log += text;
-    throw DeviceError(fmt::format("{} failed with {} on {} (options {})\n{}", error.what(), error_name(error.err()),
-                                  device.about.name, options, log));
+    throw DeviceError(fmt::format("{} failed with {} on {} (options {}){}\n{}", error.what(), error_name(error.err()),
+                                  device.about.name, options, way_out(error.err()), log));
   }
   return program;
 }

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <chrono>
 #include <climits>
+#include <functional>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include "host/opencl/device_impl.hpp"
@@ -97,7 +99,7 @@ class Renderer {
   struct Slot {
     cl::Buffer out, counters;
     void* mapped = nullptr;
-    Counters counted{};
+    std::unique_ptr<Counters> counted = std::make_unique<Counters>();
     std::optional<Tile> tile;
   };
 
@@ -115,7 +117,7 @@ class Renderer {
   bool take_from_journal(Tile& tile, TileSchedule& schedule);
   void keep_in_journal(const Tile& tile, const Slot& slot);
   void gather(const Tile& tile, const void* sums);
-  void count(const Counters& counted);
+  void count(const Tile& tile, const Counters& counted);
   TileKey key_of(const Tile& tile) const {
     return {report_.passes, tile.first_unit, tile.unit_count, begin_ + tile.sample_begin, begin_ + tile.sample_end};
   }
@@ -144,6 +146,7 @@ class Renderer {
   cl::Buffer ints_, reals_, tables_, sample_points_, listed_;
   std::int64_t listed_count_ = 0;
   std::array<Slot, 2> slots_;
+  std::array<std::uint64_t, COUNTERS> counted_{};  // of the samples so far of the units in work
   int begin_ = 0, end_ = 1;                 // samples of the pass
   std::int64_t units_done_ = 0;             // of the pass
   double unit_sample_seconds_ = 0;          // of the pass before
@@ -215,8 +218,8 @@ void Renderer::submit(int index, const Tile& tile) {
   cl::CommandQueue& queue = device_.queues[index];
   const std::int64_t items = tile.unit_count * layout_.items_per_unit();
   const auto padded = static_cast<std::size_t>((items + local_size_ - 1) / local_size_ * local_size_);
-  slot.counted = {};
-  queue.enqueueWriteBuffer(slot.counters, CL_FALSE, 0, sizeof(Counters), slot.counted.data());
+  *slot.counted = {};
+  queue.enqueueWriteBuffer(slot.counters, CL_FALSE, 0, sizeof(Counters), slot.counted->data());
   cl_uint arg = 0;
   for (const cl::Buffer* buffer : {&ints_, &reals_, &tables_, &sample_points_, &listed_, &slot.out, &slot.counters})
     kernel_.setArg(arg++, *buffer);
@@ -225,7 +228,7 @@ void Renderer::submit(int index, const Tile& tile) {
                               static_cast<std::int64_t>(begin_ + tile.sample_end)})
     kernel_.setArg(arg++, static_cast<cl_int>(number));
   queue.enqueueNDRangeKernel(kernel_, cl::NullRange, cl::NDRange(padded), cl::NDRange(local_size_));
-  queue.enqueueReadBuffer(slot.counters, CL_FALSE, 0, sizeof(Counters), slot.counted.data());
+  queue.enqueueReadBuffer(slot.counters, CL_FALSE, 0, sizeof(Counters), slot.counted->data());
   slot.mapped = queue.enqueueMapBuffer(slot.out, CL_FALSE, CL_MAP_READ, 0,
                                        static_cast<std::size_t>(out_values(tile.unit_count)) * scalar_bytes_);
   queue.flush();
@@ -241,19 +244,23 @@ void Renderer::collect(int index, TileSchedule& schedule) {
   if (report_.tiles++ == 0) report_.seconds_to_first_tile = seconds_since(start_);
   gather(tile, slot.mapped);
   keep_in_journal(tile, slot);
+  count(tile, *slot.counted);
   device_.queues[index].enqueueUnmapMemObject(slot.out, slot.mapped);
   slot.tile.reset();
-  count(slot.counted);
   tell_progress(tile);
 }
 
-void Renderer::count(const Counters& counted) {
-  report_.nan_count += counted[COUNT_NAN];
-  report_.energy_count += counted[COUNT_ENERGY];
-  report_.stack_count += counted[COUNT_STACK];
-  report_.stokes_count += counted[COUNT_STOKES];
-  report_.fallback_count += counted[COUNT_FALLBACK];
-  report_.segments += counted[COUNT_SEGMENTS];
+// Counted for good when all samples of the units are done: a shortage before that starts them anew.
+void Renderer::count(const Tile& tile, const Counters& counted) {
+  for (std::size_t i = 0; i < COUNTERS; ++i) counted_[i] += counted[i];
+  if (tile.sample_end < end_ - begin_) return;
+  report_.nan_count += counted_[COUNT_NAN];
+  report_.energy_count += counted_[COUNT_ENERGY];
+  report_.stack_count += counted_[COUNT_STACK];
+  report_.stokes_count += counted_[COUNT_STOKES];
+  report_.fallback_count += counted_[COUNT_FALLBACK];
+  report_.segments += counted_[COUNT_SEGMENTS];
+  counted_ = {};
 }
 
 void Renderer::gather(const Tile& tile, const void* sums) {
@@ -275,7 +282,7 @@ TileKey key_of_counters(TileKey tile, std::int64_t unit) {
 void Renderer::keep_in_journal(const Tile& tile, const Slot& slot) {
   if (!options_.journal || seconds_since(start_) < options_.journal_after_seconds) return;
   const TileKey key = key_of(tile);
-  options_.journal->add(key_of_counters(key, key.first_unit), slot.counted.data(), sizeof(Counters));
+  options_.journal->add(key_of_counters(key, key.first_unit), slot.counted->data(), sizeof(Counters));
   options_.journal->add(key, slot.mapped, bytes_per_unit() * static_cast<std::size_t>(tile.unit_count));
 }
 
@@ -291,9 +298,11 @@ bool Renderer::take_from_journal(Tile& tile, TileSchedule& schedule) {
   std::vector<unsigned char> bytes(bytes_per_unit() * static_cast<std::size_t>(tile.unit_count));
   if (!options_.journal->find(key, bytes_per_unit(), bytes.data())) return false;
   gather(tile, bytes.data());
-  Counters counted;
+  Counters counted, sum{};
   for (std::int64_t unit = key.first_unit; unit < key.first_unit + key.unit_count; ++unit)
-    if (options_.journal->find(key_of_counters(key, unit), sizeof counted, counted.data())) count(counted);
+    if (options_.journal->find(key_of_counters(key, unit), sizeof counted, counted.data()))
+      std::transform(sum.begin(), sum.end(), counted.begin(), sum.begin(), std::plus<>());
+  count(tile, sum);
   ++report_.tiles_found;
   tell_progress(tile);
   return true;
@@ -319,10 +328,11 @@ void Renderer::drop_all() {
     try {
       device_.queues[i].finish();
     } catch (const cl::Error&) {
-      continue;
+      static_cast<void>(slots_[i].counted.release());  // the device may still write there
     }
   }
   for (Slot& slot : slots_) slot = Slot{};
+  counted_ = {};
 }
 
 // False if it was cancelled.

@@ -50,7 +50,9 @@ TEST_CASE("without a driver the message names the package to install" * doctest:
 
 TEST_CASE("errors are told by name, call and device") {
   CHECK(error_message(cl::Error(CL_OUT_OF_RESOURCES, "clEnqueueNDRangeKernel"), "a card") ==
-        "clEnqueueNDRangeKernel failed with CL_OUT_OF_RESOURCES on a card");
+        "clEnqueueNDRangeKernel failed with CL_OUT_OF_RESOURCES on a card" + way_out(CL_OUT_OF_RESOURCES));
+  CHECK(error_message(cl::Error(CL_INVALID_KERNEL_ARGS, "clSetKernelArg"), "a card") ==
+        "clSetKernelArg failed with CL_INVALID_KERNEL_ARGS on a card");
   CHECK(error_name(-9999) == "OpenCL error -9999");
   CHECK(is_shortage(CL_MEM_OBJECT_ALLOCATION_FAILURE));
   CHECK(!is_shortage(CL_INVALID_KERNEL_ARGS));

@@ -70,6 +70,7 @@ TEST_CASE("a kernel that does not build is told with file, line, device and opti
     CHECK(message.find("wrong.h:2") != std::string::npos);
     CHECK(message.find("nothing_here") != std::string::npos);
     CHECK(message.find("-D LANES=") != std::string::npos);
+    CHECK(message.find("`nicol devices`") != std::string::npos);
   }
 }
 
