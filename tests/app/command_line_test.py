@@ -47,6 +47,16 @@ def read_png(path):
     return width, height
 
 
+def png_pixels(path):
+    data, at, pixels = Path(path).read_bytes(), 8, b""
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at : at + 8])
+        if kind == b"IDAT":
+            pixels += data[at + 8 : at + 8 + length]
+        at += 12 + length
+    return zlib.decompress(pixels)
+
+
 def exr_header(path):
     result = subprocess.run(["exrheader", str(path)], capture_output=True, text=True, check=True)
     return result.stdout
@@ -75,8 +85,9 @@ class CommandLine(unittest.TestCase):
         (self.folder / name).write_text(text)
         return name
 
+    # A render that was stopped after its first seconds keeps what is finished in OUTPUT.part.
     def left_in_folder(self):
-        return sorted(p.name for p in self.folder.iterdir())
+        return sorted(p.name for p in self.folder.iterdir() if p.suffix != ".part")
 
     def assert_refused(self, result, *words):
         self.assertEqual(result.returncode, 1, result.stderr)
@@ -112,6 +123,46 @@ class CommandLine(unittest.TestCase):
     def test_without_output_the_picture_has_the_scenes_name(self):
         self.nicol("render", SCENE, "-W", 16, "-H", 16)
         self.assertEqual(self.left_in_folder(), ["cube.png"])
+
+    def test_error_budget(self):
+        result = self.nicol("render", SCENE, "-W", 48, "-H", 48, "-o", "a.exr")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for source in "cut-off", "spectral step", "sampling", "rounding", "solids", "counted":
+            self.assertRegex(result.stderr, rf"(?m)^  {source} +[0-9.e-]+ +[0-9.]+ s  \S")
+            self.assertIn(f"nicol:error.{source}".replace(" ", "_"), exr_header(self.folder / "a.exr"))
+        self.assertRegex(result.stderr, r"(?m)^  together +[0-9.e-]+$")
+        quick = self.nicol("render", SCENE, "-W", 48, "-H", 48, "-o", "b.exr", "--no-budget")
+        self.assertNotIn("together", quick.stderr)
+
+    def test_error_that_is_kept(self):
+        result = self.nicol("render", SCENE, "-W", 48, "-H", 48, "-o", "a.exr", "--error", "2%", "--error-map", "map.exr")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stderr, r"error 2 %: kept with adc_bailout \S+, max_trace_level 256, \d+ wavelengths, float")
+        header = exr_header(self.folder / "map.exr")
+        for channel in "cutoff", "sampling", "rounding", "total":
+            self.assertIn(f"error.{channel}", header)
+        self.assertIn("nicol:chosen", exr_header(self.folder / "a.exr"))
+        self.assert_refused(self.nicol("render", SCENE, "-o", "a.exr", "--error", "120%"), "120%", "0.1%")
+
+    def test_killed_and_continued(self):
+        arguments = ["render", SCENE, "-W", 160, "-H", 160, "--samples", 400, "--no-budget"]
+        once = self.nicol(*arguments, "-o", "once.png", "-q")
+        self.assertEqual(once.returncode, 0, once.stderr)
+        process = subprocess.Popen(
+            [NICOL, *map(str, arguments), "-o", "a.png"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        kept = self.folder / "a.png.part"
+        while process.poll() is None and not (kept.exists() and kept.stat().st_size > 100_000):
+            time.sleep(0.02)
+        process.kill()
+        process.wait()
+        self.assertTrue(kept.exists(), "the picture was finished before anything was kept: take more samples")
+        self.assertFalse((self.folder / "a.png").exists())
+        again = self.nicol(*arguments, "-o", "a.png", "+C")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertRegex(again.stderr, r"[1-9]\d* tiles were there")
+        self.assertFalse(kept.exists())
+        self.assertEqual(png_pixels(self.folder / "a.png"), png_pixels(self.folder / "once.png"))
 
     def test_wavelengths_from_the_command_line(self):
         result = self.nicol(
