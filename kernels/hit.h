@@ -82,8 +82,10 @@ FUNCTION void meet_cell(PRIVATE const SceneView* view, PRIVATE const Ray* ray, i
     face = pick(later, lane_ints(first + i), face);
     out = pick(not_mask(entering) & (depth < out), depth, out);
   }
-  mask met = (in < out) & (in > lanes(0)) & (in < hit->depth_mm);
-  hit->depth_mm = pick(met, in, hit->depth_mm);
+  // a plate thinner than the rounding of its distance is met; so is one that rounding has the ray already in, for it
+  // comes from outside
+  mask met = (in <= out) & (out > lanes(0)) & (in < hit->depth_mm);
+  hit->depth_mm = pick(met, pick(in > lanes(0), in, lanes(0)), hit->depth_mm);
   hit->normal = pick3(met, scale3(lanes(-1), normal), hit->normal);
   hit->offset = pick(met, offset, hit->offset);
   hit->face = pick(met, face, hit->face);

@@ -216,7 +216,6 @@ FUNCTION int step(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE Pat
   GLOBAL const int* patch = view->patches + event.met_patch * PATCH_INTS;
   if (has(polarizing_sheets, view) && event.lead >= first_sheet && event.lead < first_patch) {
     ++path->level;
-    path->ray.from_cell = -1;
     through_sheet(view, path, event.lead - first_sheet, stack, sum, counters);
     return keep_bright(view, path, sum, counters);
   }

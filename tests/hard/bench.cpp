@@ -23,7 +23,7 @@ enum : std::uint32_t {
 // Sets of effects whose kernels the scenes share, smallest first. An effect too many changes nothing; what says
 // how lanes are filled is the scene's own.
 constexpr std::uint32_t isotropic = polarization | full_jones | absorption | rotation | ideal_polarizer | luminous_sheets |
-                                    luminous_faces | light_contacts | solid_contacts | many_solids | nested_solids | orthographic;
+                                    polarizing_sheets | luminous_faces | light_contacts | discs | solid_contacts | many_solids | nested_solids | orthographic;
 constexpr std::uint32_t crystals = isotropic | birefringence | general_waves | gyration | pleochroism | coherent_waves |
                                    camera_in_crystal;
 
@@ -41,7 +41,8 @@ Device& device() {
 
 void aim(Scene& scene, const Look& look, int width, int height) {
   const Vec3 d = test::unit(look.along);
-  const Vec3 right = test::unit(test::plus(look.right, test::scaled(-test::dot(look.right, d), d)));
+  const Vec3 wanted = std::fabs(test::dot(test::unit(look.right), d)) < 0.999 ? look.right : Vec3{d.z, d.x, d.y};
+  const Vec3 right = test::unit(test::plus(wanted, test::scaled(-test::dot(wanted, d), d)));
   scene.camera.orthographic = true;
   scene.camera.location = look.from;
   scene.camera.direction = d;

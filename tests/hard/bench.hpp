@@ -78,5 +78,8 @@ struct Case {
 };
 
 std::vector<Case> face_cases();
+std::vector<Case> crystal_cases();
+std::vector<Case> solid_cases();
+std::vector<Case> path_cases();
 
 }  // namespace nicol::hard

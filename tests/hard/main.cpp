@@ -13,7 +13,7 @@ namespace {
 
 std::vector<Case> all_cases() {
   std::vector<Case> all;
-  for (const auto& part : {face_cases()}) all.insert(all.end(), part.begin(), part.end());
+  for (const auto& part : {face_cases(), crystal_cases(), solid_cases(), path_cases()}) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 
