@@ -137,6 +137,32 @@ std::string why_no_estimate(const std::vector<double>& lambda_nm) {
   return "";
 }
 
+// XYZ of each pixel by every `stride`th wavelength and the last one.
+std::vector<Triple> xyz_at(const Frame& picture, std::size_t stride) {
+  std::vector<std::size_t> places;
+  std::vector<double> lambda_nm;
+  const std::size_t count = picture.lambda_nm.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (i % stride == 0 || i + 1 == count) places.push_back(i);
+  for (const std::size_t i : places) lambda_nm.push_back(picture.lambda_nm[i]);
+  return xyz_of(picture, places, wavelength_weights(lambda_nm));
+}
+
+// log2 of how much less the last halving of the step changed than the one before, within 1 (spectra with jumps, as
+// where an edge of a lamp passes by) and 2 (smooth ones). What falls faster than 2^3 has not converged but cancels: 1.
+double observed_order(const std::vector<Triple>& all, const std::vector<Triple>& half, const std::vector<Triple>& quarter,
+                      const std::vector<std::size_t>& pixels) {
+  double fine = 0, coarse = 0;
+  for (const std::size_t p : pixels)
+    for (int k = 0; k < 3; ++k) {
+      fine += (all[p][k] - half[p][k]) * (all[p][k] - half[p][k]);
+      coarse += (half[p][k] - quarter[p][k]) * (half[p][k] - quarter[p][k]);
+    }
+  if (!(fine > 0)) return 2;
+  const double order = std::log2(coarse / fine) / 2;
+  return order > 3 ? 1 : std::min(std::max(order, 1.0), 2.0);
+}
+
 }  // namespace
 
 double PictureError::rms() const {
@@ -163,21 +189,16 @@ SpectralStep spectral_step(const Frame& picture) {
   step.reason = why_no_estimate(picture.lambda_nm);
   step.known = step.reason.empty();
   if (!step.known) return step;
+  const auto pixels = pixels_done(picture, picture);
+  const auto all = xyz_of(picture, all_places(picture), picture.weight_nm), half = xyz_at(picture, 2);
+  step.order = observed_order(all, half, xyz_at(picture, 4), pixels);
 
-  // Every second wavelength, and the last one.
-  std::vector<std::size_t> places;
-  std::vector<double> lambda_nm;
-  const std::size_t count = picture.lambda_nm.size();
-  for (std::size_t i = 0; i < count; ++i)
-    if (i % 2 == 0 || i + 1 == count) places.push_back(i);
-  for (const std::size_t i : places) lambda_nm.push_back(picture.lambda_nm[i]);
-
-  // The integral, extrapolated: all + (all - half)/3.
-  const auto all = xyz_of(picture, all_places(picture), picture.weight_nm);
-  auto integral = xyz_of(picture, places, wavelength_weights(lambda_nm));
+  // The integral, extrapolated: all + (all - half)/(2^order - 1).
+  auto integral = half;
+  const double share = 1 / (std::pow(2, step.order) - 1);
   for (std::size_t p = 0; p < all.size(); ++p)
-    for (int k = 0; k < 3; ++k) integral[p][k] = all[p][k] + (all[p][k] - integral[p][k]) / 3;
-  compare_colours(all, integral, picture.exposure, pixels_done(picture, picture), step);
+    for (int k = 0; k < 3; ++k) integral[p][k] = all[p][k] + (all[p][k] - half[p][k]) * share;
+  compare_colours(all, integral, picture.exposure, pixels, step);
   return step;
 }
 

@@ -27,13 +27,15 @@ PictureError picture_error(const Frame& picture, const Frame& reference);
 struct SpectralStep {
   bool known = false;
   std::string reason;  // not known: why ("2 wavelengths")
+  double order = 2;    // of the error in the step, as observed: 1 to 2
   double xyz_rms = 0, xyz_max = 0;  // relative to the mean Y
   double ciede_mean = 0, ciede_95 = 0, ciede_worst = 0;
 };
 
-// Richardson: the trapezoid rule over every wavelength against that over every second one (both ends kept,
-// weights remade) differs by three times the error left, where the spectra are smooth at that step (order 2).
-// Known for three or more equally spaced wavelengths.
+// Richardson: the trapezoid rule over every wavelength against that over every second one (both ends kept, weights
+// remade) differs by 2^order - 1 times the error left; the order by every fourth. Known for three or more equally
+// spaced wavelengths. Of six scenes of the gallery (isotropic, dispersive, birefringent, pleochroic, active) at steps
+// from 30 to 2 nm, xyz_rms was 0.5 to 8 times what steps of 1 nm showed, below 5 nm 0.5 to 6 times.
 SpectralStep spectral_step(const Frame& picture);
 
 }  // namespace nicol

@@ -136,7 +136,7 @@ TEST_CASE("what is not a number shows, black is no division by zero, sizes must 
 }
 
 TEST_CASE("the spectral step of a smooth spectrum is estimated to its order") {
-  // A parabola under a window that the observer does not end: error of the trapezoid rule -h^2/12 [f'] to leading order.
+  // The window ends where the observer sees: the error of the trapezoid rule is h^2/12 [f'] to leading order.
   const auto bump = [](int s, double lambda_nm, std::size_t) {
     return s == 0 ? 0.01 * (1 + std::cos((lambda_nm - 380) / 60)) : 0;
   };
@@ -147,10 +147,26 @@ TEST_CASE("the spectral step of a smooth spectrum is estimated to its order") {
     const auto step = nicol::spectral_step(make_frame(1, 1, grid(440, 660, step_nm), bump));
     REQUIRE(step.known);
     CAPTURE(step_nm);
+    CHECK(step.order > 1.9);
     CHECK(step.xyz_rms == doctest::Approx(true_error(step_nm)).epsilon(0.1));
     CHECK(step.xyz_max == step.xyz_rms);
     CHECK(step.ciede_mean == step.ciede_worst);
     CHECK(step.ciede_mean > 0);
+  }
+}
+
+TEST_CASE("spectra with a step somewhere: the error goes as the step of wavelength") {
+  const auto edge = [](int s, double lambda_nm, std::size_t p) {
+    return s == 0 && lambda_nm > 470 + 0.37 * static_cast<double>(p) ? 0.01 : 0;
+  };
+  const auto made = [&](double step_nm) { return make_frame(400, 1, grid(440, 680, step_nm), edge); };
+  for (const double step_nm : {5.0, 10.0}) {
+    const auto step = nicol::spectral_step(made(step_nm));
+    const double error = nicol::picture_error(made(step_nm), made(0.25)).xyz_rms;
+    CAPTURE(step_nm);
+    CHECK(step.order < 1.2);
+    CHECK(step.xyz_rms > error);
+    CHECK(step.xyz_rms < 3 * error);
   }
 }
 
