@@ -14,6 +14,7 @@ namespace nicol {
 namespace {
 
 constexpr double edge_share = 0.3;
+constexpr double least_law = 0.8, most_law = 4, lasting = 0.75;  // 0.8: a straight edge anywhere in the pixel
 
 double square_of(float v) { return static_cast<double>(v) * static_cast<double>(v); }
 
@@ -102,7 +103,9 @@ void Gather::calibrate() {
     predicted2 += predicted * predicted;
     ++pixels;
   }
-  if (pixels >= enough && predicted2 > 0) law_ = std::clamp(std::sqrt(change2 / predicted2), 0.3, 3.0);
+  // Edges along the rows of pixels are all off alike, by more or by less than the law at any one count: what was seen lasts a while.
+  if (pixels >= enough && predicted2 > 0)
+    law_ = std::clamp(std::max(std::sqrt(change2 / predicted2), lasting * law_), least_law, most_law);
 }
 
 // Sum over the pixel's samples of the Stokes vector's squared distance from its mean, mean over wavelengths.

@@ -386,9 +386,9 @@ double Renderer::mean_radiance() const {
 
 // Further samples where they matter, pass by pass.
 void Renderer::refine() {
-  const double target = options_.sample_error * mean_radiance();
   for (;;) {
     gather_.estimate_errors();
+    const double target = options_.sample_error * mean_radiance();
     const auto passes = next_passes(frame_.sample_error, frame_.samples, target, options_.most_samples);
     if (passes.empty()) {
       report_.sample_error_kept = root_mean_square(frame_.sample_error) <= target;

@@ -14,6 +14,9 @@ struct Setup {
 // Throws if the scene of this folder does not load.
 Setup load(const std::string& file);
 
+// A scene of scenes/, at these wavelengths ("": its own).
+Setup load_gallery(const std::string& file, const std::string& wavelengths);
+
 struct Picture {
   Frame frame;
   RenderReport report;
