@@ -47,16 +47,6 @@ def read_png(path):
     return width, height
 
 
-def png_pixels(path):
-    data, at, pixels = Path(path).read_bytes(), 8, b""
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at : at + 8])
-        if kind == b"IDAT":
-            pixels += data[at + 8 : at + 8 + length]
-        at += 12 + length
-    return zlib.decompress(pixels)
-
-
 def exr_header(path):
     result = subprocess.run(["exrheader", str(path)], capture_output=True, text=True, check=True)
     return result.stdout
@@ -143,26 +133,6 @@ class CommandLine(unittest.TestCase):
             self.assertIn(f"error.{channel}", header)
         self.assertIn("nicol:chosen", exr_header(self.folder / "a.exr"))
         self.assert_refused(self.nicol("render", SCENE, "-o", "a.exr", "--error", "120%"), "120%", "0.1%")
-
-    def test_killed_and_continued(self):
-        arguments = ["render", SCENE, "-W", 160, "-H", 160, "--samples", 400, "--no-budget"]
-        once = self.nicol(*arguments, "-o", "once.png", "-q")
-        self.assertEqual(once.returncode, 0, once.stderr)
-        process = subprocess.Popen(
-            [NICOL, *map(str, arguments), "-o", "a.png"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-        )
-        kept = self.folder / "a.png.part"
-        while process.poll() is None and not (kept.exists() and kept.stat().st_size > 100_000):
-            time.sleep(0.02)
-        process.kill()
-        process.wait()
-        self.assertTrue(kept.exists(), "the picture was finished before anything was kept: take more samples")
-        self.assertFalse((self.folder / "a.png").exists())
-        again = self.nicol(*arguments, "-o", "a.png", "+C")
-        self.assertEqual(again.returncode, 0, again.stderr)
-        self.assertRegex(again.stderr, r"[1-9]\d* tiles were there")
-        self.assertFalse(kept.exists())
-        self.assertEqual(png_pixels(self.folder / "a.png"), png_pixels(self.folder / "once.png"))
 
     def test_wavelengths_from_the_command_line(self):
         result = self.nicol(
