@@ -8,6 +8,8 @@ namespace nicol::sdl {
 
 void Parser::report(const Failure& failure) {
   if (failure.message.empty()) return;
+  constexpr std::size_t steps_of_failure = 100;  // unwinding and the search for the nearest word take that long
+  steps_left_ -= std::min(steps_left_, steps_of_failure);
   const Location& at = failure.where;
   if (!told_.insert({failure.message, {at.file, at.line, at.column}}).second) return;
   result_.diagnostics.error(at, failure.message);

@@ -41,6 +41,13 @@ TEST_CASE("loops and macros without end") {
   CHECK(end_of(functions + "#declare A = F59(1);") == steps);
 }
 
+TEST_CASE("an error in a loop without end takes no time") {
+  const auto start = std::chrono::steady_clock::now();
+  Parsed parsed("#for (I, 0, 1, 1e-300) linear_spln(I, 2e-6) #end");
+  CHECK(parsed.result.diagnostics.failed());
+  CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 1);
+}
+
 TEST_CASE("deep nesting") {
   CHECK(end_of(repeated("a { ", 100000)) == braces);
   CHECK(end_of("a { " + repeated("[", 100000)) == braces);
