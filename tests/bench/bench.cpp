@@ -12,6 +12,7 @@
 #include "host/pack.hpp"
 #include "kernels/abi.h"
 #include "tests/bench/native.hpp"
+#include "tests/bench/sampling.hpp"
 
 namespace nicol::bench {
 namespace {
@@ -25,6 +26,7 @@ struct Settings {
   std::string program;      // this one
   bool cold_build = false;  // only that
   bool only_media = false;
+  bool only_sampling = false;
   bool features = true;   // --no-features leaves the long table out
 };
 
@@ -233,6 +235,10 @@ int main(int argc, char** argv) {
       continue;
     }
     const char* value = i + 1 < argc ? argv[i + 1] : "";
+    if (word == "--sampling") {
+      settings.only_sampling = true;
+      continue;
+    }
     if (word == "--media") {
       settings.only_media = true;
       continue;
@@ -251,6 +257,7 @@ int main(int argc, char** argv) {
     ++i;
   }
   try {
+    if (settings.only_sampling) return nicol::bench::compare_sampling(settings.scene, settings.size, settings.rounds);
     return nicol::bench::run(settings);
   } catch (const std::exception& error) {
     fmt::print(stderr, "nicol_bench: {}\n", error.what());
