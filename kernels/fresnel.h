@@ -47,6 +47,8 @@ FUNCTION Fresnel fresnel(real p1, real delta, real eps1) {
   mask near = abs_of(delta) < lanes(0.1f) * eps1;
   real partial_p = pick(near, delta * (p1 * p1 * (eps1 + eps2) - eps1 * eps1), (a - b) * (a + b));
   out.r_p = complex_of(pick(out.total, total_p, partial_p) * inverse_p, lanes(-2) * a * b_decay * inverse_p);
+  out.r_s = cpick(out.total, renew_phase(out.r_s), out.r_s);
+  out.r_p = cpick(out.total, renew_phase(out.r_p), out.r_p);
   real flux = sqrt_of(p1 * p2);
   out.t_s = lanes(2) * flux * sum_s * inverse_s;
   out.t_p = lanes(2) * flux * sqrt_of(eps1 * eps2) * sum_p * inverse_p;

@@ -29,13 +29,14 @@ FUNCTION void go_through(PRIVATE const SceneView* view, PRIVATE Path* path, int 
   if (!has(polarization, view)) return;
   real c = dot3(path->axis, u), s = dot3(second_axis(path), u);
   if (has(rotation, view) && view->media[medium * MEDIUM_INTS + MEDIUM_ROTATES]) {
-    cplx turn = rotation_of(spectral(view, medium_row(view, medium, MEDIUM_ROW_TURNS_HI)),
-                            spectral(view, medium_row(view, medium, MEDIUM_ROW_TURNS_LO)), depth_mm);
+    cplx active = rotation_of(spectral(view, medium_row(view, medium, MEDIUM_ROW_TURNS_HI)),
+                              spectral(view, medium_row(view, medium, MEDIUM_ROW_TURNS_LO)), depth_mm);
     real c0 = c;
-    c = c0 * turn.re + s * turn.im;
-    s = s * turn.re - c0 * turn.im;
+    c = c0 * active.re + s * active.im;
+    s = s * active.re - c0 * active.im;
   }
-  turn_axes(view, &path->jones, c, s);
+  cplx turn = renew_phase(complex_of(c, s));
+  turn_axes(view, &path->jones, turn.re, turn.im);
   path->axis = u;
 }
 

@@ -22,10 +22,9 @@ FUNCTION vec3 pick3(mask m, vec3 a, vec3 b) {
   return vec(pick(m, a.x, b.x), pick(m, a.y, b.y), pick(m, a.z, b.z));
 }
 FUNCTION vec3 unit3(vec3 a) { return scale3(lanes(1) / sqrt_of(dot3(a, a)), a); }
-// Pulls a vector that is unit but for rounding back to unit length (one Newton step of 1/sqrt).
-FUNCTION vec3 renew_unit(vec3 a) {
-  return scale3(lanes(1.5) - lanes(0.5) * dot3(a, a), a);
-}
+// Pulls a vector that is unit but for rounding back to unit length (one Newton step of 1/sqrt). What is missing is added: a factor
+// next to 1 would be rounded itself, one way, and a thousand faces would add that up.
+FUNCTION vec3 renew_unit(vec3 a) { return along(lanes(0.5) - lanes(0.5) * dot3(a, a), a, a); }
 
 FUNCTION cplx complex_of(real re, real im) { cplx c; c.re = re; c.im = im; return c; }
 FUNCTION cplx cadd(cplx a, cplx b) { return complex_of(a.re + b.re, a.im + b.im); }
@@ -42,6 +41,11 @@ FUNCTION cplx cdiv(cplx a, cplx b) {
 }
 FUNCTION cplx cpick(mask m, cplx a, cplx b) {
   return complex_of(pick(m, a.re, b.re), pick(m, a.im, b.im));
+}
+// The same for a complex number of length 1.
+FUNCTION cplx renew_phase(cplx a) {
+  real missing = lanes(0.5) - lanes(0.5) * norm2(a);
+  return complex_of(a.re + missing * a.re, a.im + missing * a.im);
 }
 // The square root with Re >= 0; on the negative real axis the one with Im > 0.
 FUNCTION cplx csqrt_of(cplx a) {

@@ -61,11 +61,12 @@ std::vector<Seen> native_picture(const Kernels& kernels, const PackedScene& pack
   return out;
 }
 
-std::vector<Seen> device_picture(const Way& way, const PackedScene& packed, const Scene& scene, RenderReport& report) {
+std::vector<Seen> device_picture(const Way& way, const PackedScene& packed, const Scene& scene, double tile_seconds, RenderReport& report) {
   RenderOptions options;
   options.kernel.real_double = way.real_double;
   options.kernel.lanes = way.lanes;
   options.kernel.generic = !way.specialised;
+  options.tile_seconds = tile_seconds;
   const Frame frame = render(device(), packed, scene.lambda_nm, scene.weight_nm, options, report);
   std::vector<Seen> out(frame.plane() * scene.lambda_nm.size());
   for (std::size_t pixel = 0; pixel < frame.plane(); ++pixel)
@@ -128,7 +129,7 @@ std::vector<Seen> Bench::look(const Stage& stage, const Look& look, int width, i
     return out;
   }
   RenderReport report;
-  const auto out = device_picture(way_, packed, scene, report);
+  const auto out = device_picture(way_, packed, scene, tile_seconds, report);
   hold("counters", "no number fails, R + T = 1, no stack is full", 0,
        static_cast<double>(report.nan_count + report.energy_count + report.stack_count));
   return out;

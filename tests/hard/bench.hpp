@@ -65,6 +65,7 @@ class Bench {
   // The same for values that came out of a picture: the rounding of its terms, `size` in all, does not count.
   void hold_seen(const std::string& quantity, const std::string& reason, double bound, double seen, double expected,
                  double size);
+  double tile_seconds = 0.03;   // of pictures on the device
 
  private:
   Way way_;
@@ -81,5 +82,10 @@ std::vector<Case> face_cases();
 std::vector<Case> crystal_cases();
 std::vector<Case> solid_cases();
 std::vector<Case> path_cases();
+std::vector<Case> sweep_cases();
+std::vector<Case> repeat_cases();
+
+// What a picture with everything in it comes to, in tiles of that many seconds: 16 hexadecimal digits.
+std::string picture_digest(const Way& way, double tile_seconds);
 
 }  // namespace nicol::hard

@@ -7,6 +7,7 @@
 #include "tests/hard/bench.hpp"
 #include "tests/hard/closed_forms.hpp"
 #include "tests/kernels/oracle_cases.hpp"
+#include "tests/kernels/random_rays.hpp"
 
 namespace nicol::hard {
 namespace {
@@ -186,6 +187,48 @@ void active_axis(Bench& bench) {
   }
 }
 
+// A camera in calcite before a face across its view that stands on a light: each wave passes by its own index.
+void camera_inside(Bench& bench) {
+  const std::array<double, 3> n{1.65835, 1.65835, 1.48640};
+  TestScene scene;
+  const int cell = scene.add_box({-50, -50, -10}, {50, 50, 10}, scene.add_crystal(n, frame_along({1, 0, 0}, {0, 1, 0})));
+  scene.cover(cell, test::Side::z_low, scene.add_sheet({0, 0, -10}, {0, 0, 1}, 50, 50, scene.add_emission(1), {}));
+  scene.geometry.camera_cell = cell;
+  scene.scene.settings.max_trace_level = 1;
+  for (const double pixel_mm : {1e-6, 10.0}) {
+    const Seen seen = bench.look(stage_of(scene), {{0, 0, 3}, {0, 0, -1}, {1, 0, 0}, pixel_mm})[0];
+    const Real o = 4 * Real(n[0]) / ((1 + Real(n[0])) * (1 + Real(n[0]))), e = 4 * Real(n[2]) / ((1 + Real(n[2])) * (1 + Real(n[2])));
+    const char* why = "24 eps";
+    bench.hold_seen("T of both waves", why, 24 * bench.epsilon(), seen.s[0], static_cast<double>((o + e) / 2), 1);
+    bench.hold_seen("T_e - T_o", why, 24 * bench.epsilon(), seen.s[1], static_cast<double>((e - o) / 2), 1);
+  }
+}
+
+// Two individuals of one crystal in contact: all that the face between them takes from one wave it gives to the others.
+void twins(Bench& bench) {
+  const std::array<double, 3> kinds[] = {{1.65835, 1.65835, 1.48640}, {1.530, 1.681, 1.6855}};
+  for (const std::array<double, 3>& n : kinds)
+    for (const double pixel_mm : {1e-6, 20.0}) {
+      TestScene scene;
+      scene.scene.sky = {1};
+      scene.scene.settings.adc_bailout = 1e-3;
+      const int a = scene.add_box({-8, -8, -8}, {0, 8, 8}, scene.add_crystal(n, frame_along({0.3, 0.5, 0.8}, {1, 0, 0})));
+      const int b = scene.add_box({0, -8, -8}, {8, 8, 8}, scene.add_crystal(n, frame_along({-0.3, 0.5, 0.8}, {-1, 0, 0})));
+      scene.join(Patch::Behind::cell_contact, a, test::Side::x_high, b, test::Side::x_low);
+      const Stage stage = stage_of(scene);
+      for (const test::RayCase& ray : test::random_rays(16, 9, 3)) {
+        const Seen seen = bench.look(stage, {ray.position, ray.direction, ray.axis, pixel_mm})[0];
+        bench.hold_seen("bright world: S0 + cut-off", "R + T = 1: 8 eps a face, 40 faces", 320 * bench.epsilon(), seen.s[0] + seen.cut_off, 1, 2);
+        bench.hold_seen("bright world: polarization", "none but what was cut off; 8 eps a face", 320 * bench.epsilon(),
+                        std::max(0.0, std::hypot(seen.s[1], seen.s[2], seen.s[3]) - seen.cut_off), 0, 2);
+      }
+      // straight onto the face between them: nothing of either wave is lost
+      scene.geometry.camera_cell = a;
+      const Seen seen = bench.look(stage_of(scene), {{-4, 0.3, 0.2}, {1, 0, 0}, {0, 1, 0}, pixel_mm})[0];
+      bench.hold_seen("from inside: S0 + cut-off", "R + T = 1: 8 eps a face, 40 faces", 320 * bench.epsilon(), seen.s[0] + seen.cut_off, 1, 2);
+    }
+}
+
 // Faces of all classes in the places where digits are lost, against solutions to 60 digits. The share of what is allowed: 5e-6 (1e-12
 // in double) + 20 eps times the condition of the problem, active crystals first order in zeta.
 void solutions(Bench& bench) {
@@ -209,6 +252,8 @@ std::vector<Case> crystal_cases() {
           {"crystals", "binormal", binormal},
           {"crystals", "gyrotropic crossing", crossing},
           {"crystals", "optic axis of quartz", active_axis},
+          {"crystals", "camera inside a crystal", camera_inside},
+          {"crystals", "twins", twins},
           {"crystals", "faces to 60 digits", solutions}};
 }
 

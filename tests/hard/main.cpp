@@ -1,4 +1,5 @@
-// nicol_hard [--group NAME] [--case NAME] [--list]: the table of hard cases; 1 if a bound is broken.
+// nicol_hard [--group NAME] [--case NAME] [--list]: the table of hard cases; 1 if a bound is broken. --digest N: of the picture
+// that way N draws, for repeat.cpp.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -13,7 +14,7 @@ namespace {
 
 std::vector<Case> all_cases() {
   std::vector<Case> all;
-  for (const auto& part : {face_cases(), crystal_cases(), solid_cases(), path_cases()}) all.insert(all.end(), part.begin(), part.end());
+  for (const auto& part : {face_cases(), crystal_cases(), solid_cases(), path_cases(), sweep_cases(), repeat_cases()}) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 
@@ -35,7 +36,10 @@ int main(int argc, char** argv) {
   bool list = false;
   for (int i = 1; i < argc; ++i) {
     if (!std::strcmp(argv[i], "--list")) list = true;
-    else if (!std::strcmp(argv[i], "--group") && i + 1 < argc) group = argv[++i];
+    else if (!std::strcmp(argv[i], "--digest") && i + 1 < argc) {
+      fmt::print("{}\n", picture_digest(all_ways().at(std::stoul(argv[++i])), 0.03));
+      return 0;
+    } else if (!std::strcmp(argv[i], "--group") && i + 1 < argc) group = argv[++i];
     else if (!std::strcmp(argv[i], "--case") && i + 1 < argc) name = argv[++i];
     else {
       fmt::print(stderr, "nicol_hard [--list] [--group NAME] [--case NAME]\n");
