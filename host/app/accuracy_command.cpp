@@ -34,13 +34,15 @@ fs::path csv_path(const AccuracyCommand& command) {
 
 // Before anything is rendered; the trials go away again.
 void check_targets(const fs::path& csv) {
-  for (const char* suffix : {".csv", ".png", ".svg"}) AtomicFile trial(fs::path(csv).replace_extension(suffix).string());
+  for (const char* suffix : {".csv", ".png", ".svg"})
+    AtomicFile trial(fs::path(csv).replace_extension(suffix).string());
 }
 
 void write_plots(const AccuracyCommand& command, const Sweep& sweep, const fs::path& csv) {
   const struct {
     const char *suffix, *terminal;
-  } plots[] = {{".png", "pngcairo size 1200,800 font 'Sans,12'"}, {".svg", "svg size 1200,800 font 'Sans,14' background '#FFFFFF'"}};
+  } plots[] = {{".png", "pngcairo size 1200,800 font 'Sans,12'"},
+               {".svg", "svg size 1200,800 font 'Sans,14' background '#FFFFFF'"}};
   for (const auto& plot : plots) {
     const fs::path path = fs::path(csv).replace_extension(plot.suffix);
     write_file(path, run_gnuplot(accuracy_plot(command, sweep, plot.terminal)));
@@ -50,6 +52,7 @@ void write_plots(const AccuracyCommand& command, const Sweep& sweep, const fs::p
 
 void check_numbers(const AccuracyCommand& command) {
   if (!(command.longest_seconds > 0)) throw UsageError("--longest takes seconds greater than 0");
+  if (!(command.reference_step_nm > 0)) throw UsageError("--reference-step takes nanometres greater than 0");
   parse_relative_error(command.reference_error);
 }
 

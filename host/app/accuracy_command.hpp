@@ -16,6 +16,7 @@ struct AccuracyCommand {
   int repeats = 3;                       // renderings of each setting
   int most_samples = 64;                 // a pixel, of the uniform ones that are tried
   std::string reference_error = "0.05%"; // of the reference's sampling
+  double reference_step_nm = 3.2;        // of its wavelengths, or less
   int reference_samples = 4095;          // a pixel, at most
   double longest_seconds = 20;           // more samples are not tried where they would take longer
   bool quiet = false;

@@ -40,13 +40,16 @@ const Series series[] = {
     {Knob::combined, "combined", "pt 6 ps 1.3 lw 1.5 lc rgb '#7A6A00'"},
 };
 
-bool drawable(const Measurement& m) { return !m.seconds.empty() && m.error.rms() > 0 && std::isfinite(m.error.rms()); }
+bool drawable(const Measurement& m) {
+  return !m.seconds.empty() && m.error.rms() > 0 && std::isfinite(m.error.rms());
+}
 
 std::string logarithmic(double relative) { return relative > 0 ? fmt::format("{:g}", 100 * relative) : "NaN"; }
 
 // Columns: median time, error, fastest, slowest, error of the knob alone.
 std::string point(const Measurement& m, double alone) {
-  return fmt::format("{:g} {} {:g} {:g} {}\n", m.median(), logarithmic(m.error.rms()), m.fastest(), m.slowest(), logarithmic(alone));
+  return fmt::format("{:g} {} {:g} {:g} {}\n", m.median(), logarithmic(m.error.rms()), m.fastest(), m.slowest(),
+                     logarithmic(alone));
 }
 
 // Points of a knob by falling error, the scene's own among them, so that a line through them tells what turning it does.
@@ -120,7 +123,8 @@ Plot make_plot(const Sweep& sweep) {
   for (const std::size_t i : pareto_front(sweep.measurements)) front += point(sweep.measurements[i], NAN);
   for (const Measurement& m : sweep.measurements)
     if (m.knob == Knob::base && drawable(m)) base += point(m, NAN);
-  if (plot.add_block("front", front)) plot.whole.add("front", "using 1:2 with lines lw 5 lc rgb '#D0D0D0'", "Pareto front");
+  if (plot.add_block("front", front))
+    plot.whole.add("front", "using 1:2 with lines lw 5 lc rgb '#D0D0D0'", "Pareto front");
   for (const Series& s : series) add_knob(sweep, s, plot);
   add_effects(sweep, plot);
   if (plot.add_block("base", base))
@@ -139,7 +143,8 @@ std::string reference_line(const Sweep& sweep) {
     most = std::max(most, 100 * m.error.rms());
   }
   return fmt::format(
-      "set yrange [{0:g}:{1:g}]\nset arrow 1 from graph 0, first {2:g} to graph 1, first {2:g} nohead dt 2 lc rgb '#808080'\n"
+      "set yrange [{0:g}:{1:g}]\n"
+      "set arrow 1 from graph 0, first {2:g} to graph 1, first {2:g} nohead dt 2 lc rgb '#808080'\n"
       "set label 1 'error of the reference' at graph 0.01, first {2:g} offset 0, 0.5 tc rgb '#606060'\n",
       least / 1.5, most * 1.5, own);
 }

@@ -22,7 +22,8 @@ std::vector<bool> on_front(const Sweep& sweep) {
 // What a combined setting is, beside what its knob's row says of the others.
 std::string setting_text(const AccuracySetting& s) {
   const double step_nm = equal_step_nm(s.lambda_nm);
-  const std::string spectrum = step_nm > 0 ? fmt::format("{:.4g} nm", step_nm) : fmt::format("{} lines", s.lambda_nm.size());
+  const std::string spectrum =
+      step_nm > 0 ? fmt::format("{:.4g} nm", step_nm) : fmt::format("{} lines", s.lambda_nm.size());
   const std::string sampling = s.sample_error > 0 ? fmt::format("to {:g} %", 100 * s.sample_error)
                                                   : fmt::format("{} sample{}", s.samples, s.samples == 1 ? "" : "s");
   return fmt::format("{}, {} faces, {:.2g}, {}, {}{}", spectrum, s.max_trace_level, s.adc_bailout, sampling,
@@ -33,7 +34,8 @@ void append_reference(const Sweep& sweep, std::string& text) {
   const Reference& r = sweep.reference;
   fmt::format_to(std::back_inserter(text),
                  "reference: {}, {} wavelengths, {:.4g} samples a pixel on average; {:.1f} s\n"
-                 "its own error: {} % RMS (sampling {} %, spectral step {} %, cut-off {} %); of smaller ones nothing is said\n",
+                 "its own error: {} % RMS (sampling {} %, spectral step {} %, cut-off {} %); of smaller ones nothing "
+                 "is said\n",
                  setting_text(r.setting), r.setting.lambda_nm.size(), r.samples_mean, r.seconds, percent(r.own_error()),
                  percent(r.sampling), percent(r.spectral), percent(r.cut_off));
 }
@@ -42,7 +44,8 @@ void append_reference(const Sweep& sweep, std::string& text) {
 void append_base(const Sweep& sweep, std::string& text) {
   std::string parts;
   for (const auto& [knob, error] : sweep.base_alone)
-    if (knob != Knob::adaptive) parts += fmt::format("{}{} {} %", parts.empty() ? "" : ", ", knob_name(knob), percent(error));
+    if (knob != Knob::adaptive)
+      parts += fmt::format("{}{} {} %", parts.empty() ? "" : ", ", knob_name(knob), percent(error));
   if (!parts.empty()) fmt::format_to(std::back_inserter(text), "the scene as it is errs by its {}\n", parts);
 }
 
@@ -64,7 +67,8 @@ void append_noise(const Sweep& sweep, std::string& text) {
   if (spread.empty()) return;
   std::sort(spread.begin(), spread.end());
   fmt::format_to(std::back_inserter(text),
-                 "noise of the machine: {} renderings of a setting lie {:.0f} % of their median apart (the worst {:.0f} %)\n",
+                 "noise of the machine: {} renderings of a setting lie {:.0f} % of their median apart (the worst "
+                 "{:.0f} %)\n",
                  most, 100 * spread[spread.size() / 2], 100 * spread.back());
 }
 
@@ -94,8 +98,8 @@ std::string render_command_text(const AccuracyCommand& command, const AccuracySe
   const auto out = std::back_inserter(text);
   for (const std::string& folder : o.library_paths) fmt::format_to(out, " -L {}", folder);
   for (const std::string& declare : o.declares) fmt::format_to(out, " -D {}", declare);
-  fmt::format_to(out, " --wavelengths {} --max-trace-level {} --adc-bailout {:g} --samples {}", wavelengths_text(s.lambda_nm),
-                 s.max_trace_level, s.adc_bailout, s.samples);
+  fmt::format_to(out, " --wavelengths {} --max-trace-level {} --adc-bailout {:g} --samples {}",
+                 wavelengths_text(s.lambda_nm), s.max_trace_level, s.adc_bailout, s.samples);
   if (s.sample_error > 0) fmt::format_to(out, " --sample-error {:g}%", 100 * s.sample_error);
   if (s.real_double) fmt::format_to(out, " --real double");
   if (s.without == "polarization" || o.polarization == "off") fmt::format_to(out, " --polarization off");

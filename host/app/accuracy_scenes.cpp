@@ -36,7 +36,8 @@ const AccuracyScenes::Bound& AccuracyScenes::bound_at(const std::vector<double>&
   bound.scene = bind(document, wanted, diagnostics);
   if (!diagnostics.failed()) bound.geometry = build_geometry(bound.scene, diagnostics);
   if (diagnostics.failed())
-    throw UsageError(fmt::format("the scene does not fit the wavelengths {}:\n{}", wavelengths_text(lambda_nm), diagnostics.text()));
+    throw UsageError(fmt::format("the scene does not fit the wavelengths {}:\n{}", wavelengths_text(lambda_nm),
+                                 diagnostics.text()));
   return bound_.emplace(lambda_nm, std::move(bound)).first->second;
 }
 

@@ -79,7 +79,7 @@ class Sweeper {
   std::vector<KnobValue> values_of(Knob knob) const {
     std::vector<KnobValue> values;
     if (!wanted(knob)) return values;
-    values = knob_values(knob, base_, command_.most_samples);
+    values = knob_values(knob, base_, command_.most_samples, command_.reference_step_nm);
     if (knob == Knob::precision && !info(device_).has_fp64) values.clear();
     return values;
   }
@@ -164,9 +164,11 @@ class Sweeper {
   // The reference, and how good it is.
   void make_reference() {
     Reference& reference = sweep_.reference;
-    reference.setting = reference_setting(base_, parse_relative_error(command_.reference_error));
+    reference.setting =
+        reference_setting(base_, parse_relative_error(command_.reference_error), command_.reference_step_nm);
     reference.setting.real_double = info(device_).has_fp64;
-    if (!info(device_).has_fp64) sweep_.notes.push_back("the device has no double precision: the reference is in float");
+    if (!info(device_).has_fp64)
+      sweep_.notes.push_back("the device has no double precision: the reference is in float");
     Timed timed = render_timed(reference.setting, command_.reference_samples);
     reference.seconds = timed.seconds;
     reference.samples_mean = timed.samples_mean;
@@ -230,7 +232,9 @@ class Sweeper {
       }
     }
     if (frames.empty()) return;
-    const auto alone = [&](const Frame& frame) { return std::hypot(picture_error(frame, frames.back().second).rms(), error_of_best); };
+    const auto alone = [&](const Frame& frame) {
+      return std::hypot(picture_error(frame, frames.back().second).rms(), error_of_best);
+    };
     sweep_.base_alone[Knob::samples] = sweep_.base_alone[Knob::adaptive] = alone(base_frame_);
     for (const auto& [place, frame] : frames) sweep_.measurements[place].alone = alone(frame);
   }
@@ -260,7 +264,9 @@ class Sweeper {
   void combine() {
     if (!wanted(Knob::combined)) return;
     ahead_ = combined_settings(sweep_.measurements, sweep_.base_alone, sweep_.reference.own_error());
-    const auto too_long = [&](const AccuracySetting& setting) { return expected_seconds(setting) > command_.longest_seconds; };
+    const auto too_long = [&](const AccuracySetting& setting) {
+      return expected_seconds(setting) > command_.longest_seconds;
+    };
     ahead_.erase(std::remove_if(ahead_.begin(), ahead_.end(), too_long), ahead_.end());
     int number = 0;
     for (const AccuracySetting& setting : std::vector<AccuracySetting>(ahead_))
@@ -283,8 +289,8 @@ class Sweeper {
 
 }  // namespace
 
-Sweep run_sweep(const AccuracyCommand& command, const LoadedScene& loaded, Device& device, const std::atomic<bool>& cancel,
-                ProgressBar& bar) {
+Sweep run_sweep(const AccuracyCommand& command, const LoadedScene& loaded, Device& device,
+                const std::atomic<bool>& cancel, ProgressBar& bar) {
   return Sweeper(command, loaded, device, cancel, bar).run();
 }
 

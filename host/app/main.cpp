@@ -121,6 +121,9 @@ void add_accuracy(CLI::App& app, AccuracyCommand& command, Verb& chosen) {
                    "RMS error of the reference's pixel sampling")
       ->type_name("PERCENT")
       ->capture_default_str();
+  verb->add_option("--reference-step", command.reference_step_nm,
+                   "nm: the reference's step of wavelength, or less")
+      ->capture_default_str();
   verb->add_option("--reference-samples", command.reference_samples,
                    "Samples per pixel of the reference, at most")
       ->check(CLI::Range(4, 65536))
