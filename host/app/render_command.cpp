@@ -132,9 +132,8 @@ int write_all(const std::vector<Target>& targets, const Frame& frame) {
   return code;
 }
 
-void tell(const std::vector<Target>& targets, const Frame& frame, const RenderReport& report,
-          int samples) {
-  fmt::print(stderr, "{}", summary_text(frame, report, samples));
+void tell(const std::vector<Target>& targets, const Frame& frame, const RenderReport& report) {
+  fmt::print(stderr, "{}", summary_text(frame, report));
   for (const Target& target : targets) {
     const std::string suffix = std::filesystem::path(target.path).extension().string();
     if (suffix != ".png" && suffix != ".PNG") continue;
@@ -201,7 +200,7 @@ int render_command(const RenderCommand& command) {
   write_map(*loaded, command, job);
   job.journal->remove();
   if (!command.quiet) {
-    tell(targets, job.frame, job.report, loaded->scene.settings.samples);
+    tell(targets, job.frame, job.report);
     if (!command.no_budget) fmt::print(stderr, "{}", budget_text(job.budget));
   }
   if (error > 0 && !(command.quiet && chosen.reachable)) tell_kept(chosen, error, job);

@@ -27,18 +27,18 @@ std::string counters_text(const RenderReport& report) {
 
 }  // namespace
 
-std::string summary_text(const Frame& frame, const RenderReport& report, int samples) {
+std::string summary_text(const Frame& frame, const RenderReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}x{} pixels, {} wavelengths {:g} to {:g} nm, {} sample{} a pixel\n",
-                 frame.width, frame.height, frame.lambda_nm.size(), frame.lambda_nm.front(),
-                 frame.lambda_nm.back(), samples, samples == 1 ? "" : "s");
+  fmt::format_to(out, "{}x{} pixels, {} wavelength{} {:g} to {:g} nm, {:.3g} sample{} a pixel{}\n",
+                 frame.width, frame.height, frame.lambda_nm.size(), frame.lambda_nm.size() == 1 ? "" : "s",
+                 frame.lambda_nm.front(), frame.lambda_nm.back(), report.samples_mean, report.samples_mean == 1 ? "" : "s",
+                 report.passes > 1 ? fmt::format(" on average, in {} passes", report.passes) : "");
   fmt::format_to(out, "{:.2f} s, {:.1f} M segments/s on {}, {} lane{} of {}; {}\n", report.seconds,
                  segments_per_second(report) / 1e6, report.device, report.lanes,
                  report.lanes == 1 ? "" : "s", report.real, build_text(report.build));
-  if (report.passes > 1)
-    fmt::format_to(out, "{:.1f} samples a pixel on average in {} passes; sampling error {:.2g} %{}\n", report.samples_mean,
-                   report.passes, 100 * report.sample_error, report.sample_error_kept ? "" : ", more than what is to be kept");
+  if (!report.sample_error_kept)
+    fmt::format_to(out, "the sampling error {:.2g} % is more than what was to be kept\n", 100 * report.sample_error);
   fmt::format_to(out, "weight cut off: mean {:.2g}, worst pixel {:.2g}\n", report.cut_off_mean,
                  report.cut_off_worst);
   fmt::format_to(out, "counted on the device: {}\n", counters_text(report));

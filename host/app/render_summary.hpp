@@ -10,7 +10,7 @@
 
 namespace nicol::app {
 
-std::string summary_text(const Frame& frame, const RenderReport& report, int samples);
+std::string summary_text(const Frame& frame, const RenderReport& report);
 
 // One line for each counter that is not 0, each saying what it means; empty if all is well.
 std::string counter_warnings(const RenderReport& report);

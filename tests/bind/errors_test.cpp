@@ -16,6 +16,7 @@ const Bad bad[] = {
      "unknown block 'roation' in 'interior'; did you mean 'rotation'?"},
     {"box { 0, 1 interior { iors 1.5 } }", 2,
      "unknown word 'iors' in 'interior'; did you mean 'ior'?"},
+    {"global_settings {\n error 1.5 }", 3, "'error' must lie between 0 and 1 (0.001 is 0.1 %)"},
     {"crystl { facet x, 1 }", 2, "unknown block 'crystl' in 'scene'; did you mean 'crystal'?"},
     {"box { 0, 1 interior { ior \"1.5\" } }", 2,
      "Expected 'numeric expression', string literal found instead"},

@@ -33,12 +33,14 @@ TEST_CASE("settings: all words, wherever they stand") {
       bind_clean(
           thing +
           "global_settings { assumed_gamma 1 mm_per_unit 2 max_trace_level 12 adc_bailout 1e-4"
-          " samples 9 exposure 3 polarization off wavelengths { from 400 to 700 step 100 } }")
+          " samples 9 error 0.001 sample_error 0.02 exposure 3 polarization off wavelengths { from 400 to 700 step 100 } }")
           .scene;
   CHECK(s.settings.mm_per_unit == 2);
   CHECK(s.settings.max_trace_level == 12);
   CHECK(s.settings.adc_bailout == 1e-4);
   CHECK(s.settings.samples == 9);
+  CHECK(s.settings.error == 0.001);
+  CHECK(s.settings.sample_error == 0.02);
   CHECK(s.settings.exposure == 3);
   CHECK_FALSE(s.settings.polarization);
   CHECK(s.lambda_nm == std::vector<double>{400, 500, 600, 700});
@@ -57,6 +59,7 @@ TEST_CASE("settings: the command line has the last word") {
   wanted.lambda_nm = {500, 600};
   wanted.max_trace_level = 3;
   wanted.samples = 4;
+  wanted.error = 0.01;
   wanted.polarization = false;
   wanted.path = "a.pov";
   const Scene s =
@@ -64,6 +67,7 @@ TEST_CASE("settings: the command line has the last word") {
   CHECK(s.lambda_nm == std::vector<double>{500, 600});
   CHECK(s.settings.max_trace_level == 3);
   CHECK(s.settings.samples == 4);
+  CHECK(s.settings.error == 0.01);
   CHECK_FALSE(s.settings.polarization);
   CHECK(s.path == "a.pov");
 }
