@@ -35,7 +35,7 @@ void add_scene_options(CLI::App& verb, SceneOptions& options) {
                   "from:to:step or a list, in nm, instead of the scene's");
   verb.add_option("--max-trace-level", options.max_trace_level,
                   "Interfaces along a path, instead of the scene's")
-      ->check(CLI::Range(1, 256));
+      ->check(CLI::Range(1, 4096));
   verb.add_option("--adc-bailout", options.adc_bailout,
                   "Weight at which a path is cut off, instead of the scene's")
       ->check(CLI::Range(0.0, 1.0));

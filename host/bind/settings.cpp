@@ -106,7 +106,7 @@ Schema settings_schema(Context& context, RawSettings& raw) {
         "millimetres of one scene unit (POV-Ray's default: 10)"},
        {"max_trace_level", "n",
         [=](const Args& a) {
-          s->max_trace_level = integer(*c, a, "max_trace_level", 1, 256).value_or(5);
+          s->max_trace_level = integer(*c, a, "max_trace_level", 1, 4096).value_or(5);
         },
         "how many faces a path may meet (5)"},
        {"adc_bailout", "n",

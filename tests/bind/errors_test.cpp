@@ -93,7 +93,7 @@ const Bad bad[] = {
     {"global_settings { mm_per_unit 0 }", 2,
      "'mm_per_unit' must be greater than 0, 0 found instead"},
     {"global_settings { max_trace_level 2.5 }", 2,
-     "'max_trace_level' must be a whole number from 1 to 256, 2.5 found instead"},
+     "'max_trace_level' must be a whole number from 1 to 4096, 2.5 found instead"},
     {"global_settings { wavelengths { from 700 to 400 step 20 } }", 2,
      "wavelengths run from the shorter to the longer by a step greater than 0"},
     {"global_settings { wavelengths { 580, 580 } }", 2, "the same wavelength is given twice"},
