@@ -179,6 +179,27 @@ void trapped_in_crystals(Bench& bench) {
     }
 }
 
+// Both waves of a hardly birefringent crystal as one path, a thousand times round: what drifts with every face adds up.
+void trapped_pairs(Bench& bench) {
+  const Vec3 along[] = {{1, 1, 1}, {1, 0.9, 1.1}, {-1, 1.05, 0.95}};
+  for (const bool active : {false, true}) {
+    TestScene scene;
+    scene.scene.sky = {1};
+    scene.scene.settings.max_trace_level = 1000;
+    scene.scene.settings.adc_bailout = 1e-2;
+    const double g = 1.08e-4;
+    const int medium = scene.add_crystal({n_glass, n_glass, n_glass + 1e-6}, tilted(),
+                                         active ? std::vector<double>{g, g, g, 0, 0, 0} : std::vector<double>{});
+    scene.geometry.camera_cell = scene.add_box({-1, -1.1, -1.2}, {1, 1.1, 1.2}, medium);
+    const Stage stage = stage_of(scene);
+    for (const Vec3& direction : along) {
+      const Seen seen = bench.look(stage, {{0.1, 0.2, 0.3}, direction, {1, 0, 0}, 1})[0];
+      bench.hold_seen(active ? "1000 faces, active: what is left" : "1000 faces: what is left", "4 eps a face", 4000 * bench.epsilon(),
+                      seen.s[0] + seen.cut_off, 1, 1);
+    }
+  }
+}
+
 // A wavelength alone is what it is among 401.
 void wavelengths(Bench& bench) {
   std::vector<double> all;
@@ -227,6 +248,7 @@ std::vector<Case> path_cases() {
           {"paths", "absorption to exp(-50)", absorption},
           {"paths", "1000 bounces", bounces},
           {"paths", "trapped in crystals", trapped_in_crystals},
+          {"paths", "pairs trapped in crystals", trapped_pairs},
           {"paths", "one wavelength and 401", wavelengths}};
 }
 
