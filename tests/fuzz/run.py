@@ -10,6 +10,7 @@ and the next run goes on from there; what crashes, hangs or takes too much memor
 import argparse
 import json
 import os
+import random
 import re
 import shutil
 import subprocess
@@ -51,6 +52,9 @@ def put_seeds(subject, seeds):
     if subject == "scene":
         for path in [*ROOT.glob("scenes/*/*.pov"), *ROOT.glob("tests/**/*.pov")]:
             (seeds / f"{path.parent.name}_{path.name}").write_bytes(path.read_bytes())
+        random.seed(1)
+        for number in range(60):  # of these bytes scenes are made
+            (seeds / f"bytes_{number}").write_bytes(b"\0" + random.randbytes(10 + 3 * number))
         return
     for path in [*ROOT.glob("tests/kernels/data/*.json"), *HERE.glob("seeds/*.json")]:
         document = json.loads(path.read_text(encoding="utf-8"))
