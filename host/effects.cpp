@@ -79,7 +79,8 @@ bool any_medium(const Scene& scene, bool (*is)(const Scene&, const Medium&)) {
   std::set<int> met{0};
   for (const Object& object : scene.objects)
     if (object.medium) met.insert(*object.medium);
-  return std::any_of(met.begin(), met.end(), [&](int m) { return is(scene, scene.media[static_cast<std::size_t>(m)]); });
+  return std::any_of(met.begin(), met.end(),
+                     [&](int m) { return is(scene, scene.media[static_cast<std::size_t>(m)]); });
 }
 
 bool any_calcite_polarizer(const Scene& scene) {
@@ -194,14 +195,19 @@ std::vector<Removal> removals(const Scene& scene) {
   const std::string at = " as at " + middle_text(scene);
   return {
       {{"polarization", "intensities only"}, polarizes(scene), only_intensities},
-      {{"coherence", "the two waves of a crystal add as intensities"}, crystals && scene.settings.coherence, without_coherence},
-      {{"dispersion", "refractive indices" + at}, any_medium(scene, disperses) || polarizer_disperses, without_dispersion},
+      {{"coherence", "the two waves of a crystal add as intensities"}, crystals && scene.settings.coherence,
+       without_coherence},
+      {{"dispersion", "refractive indices" + at}, any_medium(scene, disperses) || polarizer_disperses,
+       without_dispersion},
       {{"rotation", "no optical activity"}, any_medium(scene, turns_light), without_rotation},
-      {{"rotatory_dispersion", "optical rotation" + at}, any_medium(scene, has_rotatory_dispersion), without_rotatory_dispersion},
+      {{"rotatory_dispersion", "optical rotation" + at}, any_medium(scene, has_rotatory_dispersion),
+       without_rotatory_dispersion},
       {{"circular_waves", "one ray of the mean index"}, any_medium(scene, has_circular_waves), without_circular_waves},
       {{"absorption", "clear media"}, any_medium(scene, absorbs), without_absorption},
-      {{"pleochroism", "the mean absorption for all directions"}, any_medium(scene, is_pleochroic), without_pleochroism},
-      {{"birefringence", "isotropic media of the mean index"}, any_medium(scene, is_birefringent), without_birefringence},
+      {{"pleochroism", "the mean absorption for all directions"}, any_medium(scene, is_pleochroic),
+       without_pleochroism},
+      {{"birefringence", "isotropic media of the mean index"}, any_medium(scene, is_birefringent),
+       without_birefringence},
       {{"conical_rays", "one ray at a binormal"}, any_medium(scene, has_cone), without_conical_rays},
       {{"calcite_polarizers", "ideal polarizers"}, calcite, without_calcite_polarizers},
   };

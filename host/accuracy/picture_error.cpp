@@ -101,7 +101,9 @@ void compare_colours(const std::vector<Triple>& picture, const std::vector<Tripl
   SquareSum squares;
   double luminance = 0, sum = 0;
   std::vector<double> differences;
-  const auto exposed = [&](const Triple& xyz) { return Triple{xyz[0] * exposure, xyz[1] * exposure, xyz[2] * exposure}; };
+  const auto exposed = [&](const Triple& xyz) {
+    return Triple{xyz[0] * exposure, xyz[1] * exposure, xyz[2] * exposure};
+  };
   for (const std::size_t p : pixels) {
     double square = 0;
     for (int k = 0; k < 3; ++k) square += (picture[p][k] - reference[p][k]) * (picture[p][k] - reference[p][k]);
@@ -150,8 +152,8 @@ std::vector<Triple> xyz_at(const Frame& picture, std::size_t stride) {
 
 // log2 of how much less the last halving of the step changed than the one before, within 1 (spectra with jumps, as
 // where an edge of a lamp passes by) and 2 (smooth ones). What falls faster than 2^3 has not converged but cancels: 1.
-double observed_order(const std::vector<Triple>& all, const std::vector<Triple>& half, const std::vector<Triple>& quarter,
-                      const std::vector<std::size_t>& pixels) {
+double observed_order(const std::vector<Triple>& all, const std::vector<Triple>& half,
+                      const std::vector<Triple>& quarter, const std::vector<std::size_t>& pixels) {
   double fine = 0, coarse = 0;
   for (const std::size_t p : pixels)
     for (int k = 0; k < 3; ++k) {

@@ -52,7 +52,7 @@ std::string point(const Measurement& m, double alone) {
                      logarithmic(alone));
 }
 
-// Points of a knob by falling error, the scene's own among them, so that a line through them tells what turning it does.
+// Points of a knob by falling error, the scene's own among them: a line through them tells what turning it does.
 std::string points_of(const Sweep& sweep, Knob knob) {
   std::vector<const Measurement*> points;
   for (const Measurement& m : sweep.measurements)

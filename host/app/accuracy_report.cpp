@@ -110,7 +110,8 @@ std::string render_command_text(const AccuracyCommand& command, const AccuracySe
 std::string accuracy_table(const AccuracyCommand& command, const Sweep& sweep) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}, {}x{} pixels, on {}\n", command.scene, command.options.width, command.options.height, sweep.device);
+  fmt::format_to(out, "{}, {}x{} pixels, on {}\n", command.scene, command.options.width, command.options.height,
+                 sweep.device);
   append_reference(sweep, text);
   const std::size_t width = std::max<std::size_t>(text_width(sweep), 5);
   fmt::format_to(out, "\n{:<11} {:<{}}  {:>8} {:>15}  {:>8} {:>8} {:>8}  {:>6} {:>6} {:>6}\n", "knob", "value", width,
@@ -119,8 +120,8 @@ std::string accuracy_table(const AccuracyCommand& command, const Sweep& sweep) {
   for (std::size_t i = 0; i < sweep.measurements.size(); ++i) {
     const Measurement& m = sweep.measurements[i];
     const std::string value = m.knob == Knob::combined ? setting_text(m.setting) : m.text;
-    fmt::format_to(out, "{:<11} {:<{}}  {:>8} {:>15}  {:>8} {:>8} {:>8}  {:>6.2f} {:>6.2f} {:>6.2f}{}\n", knob_name(m.knob),
-                   value, width, seconds_text(m.median()),
+    fmt::format_to(out, "{:<11} {:<{}}  {:>8} {:>15}  {:>8} {:>8} {:>8}  {:>6.2f} {:>6.2f} {:>6.2f}{}\n",
+                   knob_name(m.knob), value, width, seconds_text(m.median()),
                    fmt::format("{}..{}", seconds_text(m.fastest()), seconds_text(m.slowest())), percent(m.error.rms()),
                    percent(std::max(m.error.stokes_max, m.error.xyz_max)), percent(m.alone), m.error.ciede_mean,
                    m.error.ciede_95, m.error.ciede_worst, front[i] ? " *" : "");
@@ -139,23 +140,26 @@ std::string accuracy_csv(const AccuracyCommand& command, const Sweep& sweep) {
       "rms,stokes_rms,stokes_max,xyz_rms,xyz_max,alone_rms,ciede_mean,ciede_95,ciede_worst,"
       "seconds_median,seconds_min,seconds_max,renderings,samples_mean,pareto,scene,width,height,device\n";
   const auto out = std::back_inserter(text);
-  const auto add = [&](const char* knob, const std::string& value, const AccuracySetting& s, const std::string& numbers) {
+  const auto add = [&](const char* knob, const std::string& value, const AccuracySetting& s,
+                       const std::string& numbers) {
     fmt::format_to(out, "{},\"{}\",{},{:g},{:g},{},{:g},{},{:g},{},{},{},\"{}\",{},{},\"{}\"\n", knob, value,
-                   s.lambda_nm.size(), s.lambda_nm.front(), s.lambda_nm.back(), s.max_trace_level, s.adc_bailout, s.samples,
-                   s.sample_error, s.real_double ? "double" : "float", s.without, numbers, command.scene,
+                   s.lambda_nm.size(), s.lambda_nm.front(), s.lambda_nm.back(), s.max_trace_level, s.adc_bailout,
+                   s.samples, s.sample_error, s.real_double ? "double" : "float", s.without, numbers, command.scene,
                    command.options.width, command.options.height, sweep.device);
   };
   const Reference& r = sweep.reference;
   add("reference", "its own error", r.setting,
-      fmt::format("{:g},,,,,,,,,{:g},{:g},{:g},1,{:g},", r.own_error(), r.seconds, r.seconds, r.seconds, r.samples_mean));
+      fmt::format("{:g},,,,,,,,,{:g},{:g},{:g},1,{:g},", r.own_error(), r.seconds, r.seconds, r.seconds,
+                  r.samples_mean));
   const std::vector<bool> front = on_front(sweep);
   for (std::size_t i = 0; i < sweep.measurements.size(); ++i) {
     const Measurement& m = sweep.measurements[i];
     const PictureError& e = m.error;
     add(knob_name(m.knob), m.knob == Knob::combined ? setting_text(m.setting) : m.text, m.setting,
         fmt::format("{:g},{:g},{:g},{:g},{:g},{},{:g},{:g},{:g},{:g},{:g},{:g},{},{:g},{}", e.rms(), e.stokes_rms,
-                    e.stokes_max, e.xyz_rms, e.xyz_max, std::isnan(m.alone) ? "" : fmt::format("{:g}", m.alone), e.ciede_mean,
-                    e.ciede_95, e.ciede_worst, m.median(), m.fastest(), m.slowest(), m.seconds.size(), m.samples_mean,
+                    e.stokes_max, e.xyz_rms, e.xyz_max, std::isnan(m.alone) ? "" : fmt::format("{:g}", m.alone),
+                    e.ciede_mean, e.ciede_95, e.ciede_worst, m.median(), m.fastest(), m.slowest(), m.seconds.size(),
+                    m.samples_mean,
                     front[i] ? 1 : 0));
   }
   return text;

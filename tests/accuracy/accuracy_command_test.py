@@ -29,7 +29,12 @@ class Accuracy(unittest.TestCase):
 
     def nicol(self, *arguments, **options):
         return subprocess.run(
-            [NICOL, "accuracy", *arguments], capture_output=True, text=True, cwd=self.folder, timeout=PATIENCE_S, **options
+            [NICOL, "accuracy", *arguments],
+            capture_output=True,
+            text=True,
+            cwd=self.folder,
+            timeout=PATIENCE_S,
+            **options,
         )
 
     def rows(self, name="cell_accuracy.csv"):
@@ -80,7 +85,11 @@ class Accuracy(unittest.TestCase):
         commands = [line.split() for line in run.stdout.splitlines() if line.startswith("    nicol render ")]
         self.assertTrue(commands, run.stdout)
         render = subprocess.run(
-            [NICOL, *commands[0][1:], "-o", "a.png"], capture_output=True, text=True, cwd=self.folder, timeout=PATIENCE_S
+            [NICOL, *commands[0][1:], "-o", "a.png"],
+            capture_output=True,
+            text=True,
+            cwd=self.folder,
+            timeout=PATIENCE_S,
         )
         self.assertEqual(render.returncode, 0, render.stderr)
         self.assertTrue((self.folder / "a.png").exists())
@@ -91,7 +100,13 @@ class Accuracy(unittest.TestCase):
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["here.csv", "here.png", "here.svg"])
         self.assertEqual((self.folder / "here.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         text = "".join(xml.etree.ElementTree.parse(self.folder / "here.svg").getroot().itertext())
-        for word in ["cell.pov, 16x16 pixels", "Pareto front", "depth (max_trace_level)", "seconds", "error of the reference"]:
+        for word in [
+            "cell.pov, 16x16 pixels",
+            "Pareto front",
+            "depth (max_trace_level)",
+            "seconds",
+            "error of the reference",
+        ]:
             self.assertIn(word, text)
 
     def test_without_gnuplot_there_is_a_table_and_a_message(self):

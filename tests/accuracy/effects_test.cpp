@@ -74,7 +74,8 @@ TEST_CASE("a scene offers what it has and nothing else") {
 }
 
 TEST_CASE("media that nothing is made of do not count") {
-  CHECK(make("#declare Unused = interior { M_Ruby } box { -1, 1 interior { ior 1.5 } }").effects() == Names{"polarization"});
+  CHECK(make("#declare Unused = interior { M_Ruby } box { -1, 1 interior { ior 1.5 } }").effects() ==
+        Names{"polarization"});
 }
 
 TEST_CASE("without polarization there are no waves to leave out") {
@@ -83,7 +84,8 @@ TEST_CASE("without polarization there are no waves to leave out") {
 }
 
 TEST_CASE("an effect left out is gone from the features") {
-  CHECK(box_of("M_Calcite").gone_without("polarization") == Names{"polarization", "full_jones", "birefringence", "coherent_waves"});
+  CHECK(box_of("M_Calcite").gone_without("polarization") ==
+        Names{"polarization", "full_jones", "birefringence", "coherent_waves"});
   CHECK(box_of("M_Calcite").gone_without("coherence") == Names{"coherent_waves"});
   CHECK(box_of("M_Calcite").gone_without("birefringence") == Names{"birefringence", "coherent_waves"});
   CHECK(box_of("M_Quartz_Right").gone_without("rotation") == Names{"general_waves", "gyration"});

@@ -20,7 +20,8 @@ AccuracySetting base_of(double from, double to, int steps) {
 
 std::vector<double> steps_nm(const AccuracySetting& base) {
   std::vector<double> steps;
-  for (const auto& value : knob_values(Knob::wavelengths, base, 1, 3.2)) steps.push_back(equal_step_nm(value.setting.lambda_nm));
+  for (const auto& value : knob_values(Knob::wavelengths, base, 1, 3.2))
+    steps.push_back(equal_step_nm(value.setting.lambda_nm));
   return steps;
 }
 
@@ -75,7 +76,8 @@ TEST_CASE("every value changes its own knob alone") {
     }
     return s;
   };
-  for (const Knob knob : {Knob::wavelengths, Knob::depth, Knob::cut_off, Knob::precision, Knob::samples, Knob::adaptive}) {
+  for (const Knob knob :
+       {Knob::wavelengths, Knob::depth, Knob::cut_off, Knob::precision, Knob::samples, Knob::adaptive}) {
     CAPTURE(knob_name(knob));
     const auto values = knob_values(knob, base, 64, 3.2);
     CHECK_FALSE(values.empty());
@@ -100,8 +102,8 @@ TEST_CASE("the most accurate comes first; samples the other way round, and not t
 
 TEST_CASE("knobs at their ends") {
   AccuracySetting base = base_of(380, 780, 20);
-  base.max_trace_level = 200;
-  CHECK(knob_values(Knob::depth, base, 1, 3.2).front().setting.max_trace_level == 256);
+  base.max_trace_level = 4000;
+  CHECK(knob_values(Knob::depth, base, 1, 3.2).front().setting.max_trace_level == 4096);
   base.max_trace_level = 1;
   for (const auto& value : knob_values(Knob::depth, base, 1, 3.2)) CHECK(value.setting.max_trace_level > 1);
   base.adc_bailout = 0;

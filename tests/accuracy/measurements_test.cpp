@@ -34,7 +34,8 @@ TEST_CASE("times of one setting") {
 }
 
 TEST_CASE("the front holds what no other beats, by rising time") {
-  const std::vector<Measurement> all{made({4}, 0.01), made({1}, 0.5), made({2}, 0.6), made({2}, 0.1), made({5}, 0.01), made({9}, 0)};
+  const std::vector<Measurement> all{made({4}, 0.01), made({1}, 0.5), made({2}, 0.6), made({2}, 0.1),
+                                     made({5}, 0.01), made({9}, 0)};
   CHECK(pareto_front(all) == std::vector<std::size_t>{1, 3, 0, 5});
   CHECK(pareto_front({}).empty());
 }
@@ -101,11 +102,13 @@ TEST_CASE("combined settings turn each knob as far as it alone allows") {
     s.samples = samples;
     add(Knob::samples, alone, s);
   }
-  const KnobErrors at_base{{Knob::wavelengths, 0}, {Knob::depth, 1e-9}, {Knob::cut_off, 1e-9}, {Knob::precision, 1e-7}, {Knob::samples, 0.05}};
+  const KnobErrors at_base{{Knob::wavelengths, 0}, {Knob::depth, 1e-9}, {Knob::cut_off, 1e-9},
+                           {Knob::precision, 1e-7}, {Knob::samples, 0.05}};
   const auto settings = combined_settings(all, at_base, 0.009);
   const auto there = [&](std::size_t wavelengths, int depth, int samples) {
     return std::any_of(settings.begin(), settings.end(), [&](const AccuracySetting& c) {
-      return c.lambda_nm.size() == wavelengths && c.max_trace_level == depth && c.samples == samples && c.adc_bailout == 1e-4;
+      return c.lambda_nm.size() == wavelengths && c.max_trace_level == depth && c.samples == samples &&
+             c.adc_bailout == 1e-4;
     });
   };
   CHECK(there(3, 8, 4));    // 0.9 of 1 %

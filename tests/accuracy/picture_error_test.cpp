@@ -67,7 +67,8 @@ TEST_CASE("one wrong Stokes component counts by its length, over pixels and wave
 TEST_CASE("a brighter picture: XYZ all three relative to Y, CIEDE2000 at the exposure") {
   Frame reference = make_frame(2, 1, grid(380, 780, 5), [](int s, double, std::size_t) { return s == 0 ? 0.004 : 0; });
   const Frame picture =
-      make_frame(2, 1, grid(380, 780, 5), [](int s, double, std::size_t p) { return s == 0 ? (p == 0 ? 0.0044 : 0.004) : 0; });
+      make_frame(2, 1, grid(380, 780, 5),
+                 [](int s, double, std::size_t p) { return s == 0 ? (p == 0 ? 0.0044 : 0.004) : 0; });
   reference.exposure = 3;
   const auto xyz = nicol::Observer(reference.lambda_nm, reference.weight_nm).xyz(reference.component(0, 0), 2);
   const double length = std::sqrt(xyz[0] * xyz[0] + xyz[1] * xyz[1] + xyz[2] * xyz[2]);
@@ -89,7 +90,8 @@ TEST_CASE("95 % of the pixels stay below ciede_95") {
   const auto lambda_nm = grid(400, 700, 20);
   const Frame reference = make_frame(100, 1, lambda_nm, flat);
   const auto picture = [&](std::size_t wrong) {
-    return make_frame(100, 1, lambda_nm, [=](int s, double, std::size_t p) { return s != 0 ? 0 : p < wrong ? 1.0 : 2.0; });
+    return make_frame(100, 1, lambda_nm,
+                      [=](int s, double, std::size_t p) { return s != 0 ? 0 : p < wrong ? 1.0 : 2.0; });
   };
   CHECK(nicol::picture_error(picture(5), reference).ciede_95 == 0);
   CHECK(nicol::picture_error(picture(6), reference).ciede_95 > 1);
@@ -141,7 +143,9 @@ TEST_CASE("the spectral step of a smooth spectrum is estimated to its order") {
     return s == 0 ? 0.01 * (1 + std::cos((lambda_nm - 380) / 60)) : 0;
   };
   const auto true_error = [&](double step_nm) {
-    return nicol::picture_error(make_frame(1, 1, grid(440, 660, step_nm), bump), make_frame(1, 1, grid(440, 660, 0.5), bump)).xyz_rms;
+    return nicol::picture_error(make_frame(1, 1, grid(440, 660, step_nm), bump),
+                                make_frame(1, 1, grid(440, 660, 0.5), bump))
+        .xyz_rms;
   };
   for (const double step_nm : {5.0, 10.0}) {
     const auto step = nicol::spectral_step(make_frame(1, 1, grid(440, 660, step_nm), bump));
@@ -171,7 +175,9 @@ TEST_CASE("spectra with a step somewhere: the error goes as the step of waveleng
 }
 
 TEST_CASE("an even number of wavelengths keeps its last one") {
-  const auto bump = [](int s, double lambda_nm, std::size_t) { return s == 0 ? 0.01 * (1 + std::cos(lambda_nm / 40)) : 0; };
+  const auto bump = [](int s, double lambda_nm, std::size_t) {
+    return s == 0 ? 0.01 * (1 + std::cos(lambda_nm / 40)) : 0;
+  };
   const auto even = nicol::spectral_step(make_frame(1, 1, grid(380, 775, 5), bump));
   const auto odd = nicol::spectral_step(make_frame(1, 1, grid(380, 780, 5), bump));
   REQUIRE(even.known);
