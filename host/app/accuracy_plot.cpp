@@ -93,12 +93,20 @@ struct Plot {
   }
 };
 
+bool errs_alone(const Sweep& sweep, Knob knob) {
+  const auto at_base = sweep.base_alone.find(knob);
+  return (at_base != sweep.base_alone.end() && at_base->second > 0) ||
+         std::any_of(sweep.measurements.begin(), sweep.measurements.end(),
+                     [&](const Measurement& m) { return m.knob == knob && m.alone > 0; });
+}
+
+// Blocks without a point to draw are left out of a panel: gnuplot 5.4 ends by a fault over some of them.
 void add_knob(const Sweep& sweep, const Series& s, Plot& plot) {
   const std::string block = fmt::format("knob{}", static_cast<int>(s.knob));
   if (!plot.add_block(block, points_of(sweep, s.knob))) return;
   const std::string style = s.style, colour = style.substr(style.find("lc rgb"));
-  if (s.knob != Knob::combined) {
-    plot.whole.add(block, "using 1:2 with lines dt 3 " + colour, "");
+  if (s.knob != Knob::combined) plot.whole.add(block, "using 1:2 with lines dt 3 " + colour, "");
+  if (s.knob != Knob::combined && errs_alone(sweep, s.knob)) {
     plot.alone.add(block, "using 1:5 with lines dt 3 " + colour, "");
     plot.alone.add(block, "using 1:5:3:4 with xerrorbars " + style, "");
   }
@@ -113,7 +121,7 @@ void add_effects(const Sweep& sweep, Plot& plot) {
     plot.add_block(block, point(m, m.alone));
     const std::string style = fmt::format("with points pt '{}' ps 1.3 lc rgb '#B00020'", letter++);
     plot.whole.add(block, "using 1:2 " + style, "without " + m.setting.without);
-    plot.alone.add(block, "using 1:5 " + style, "");
+    if (m.alone > 0) plot.alone.add(block, "using 1:5 " + style, "");
   }
 }
 

@@ -34,7 +34,7 @@ std::string whole(std::FILE* file) {
   return text;
 }
 
-// Its exit status; 127 and GnuplotError are for what cannot be started.
+// Its status, as waitpid() gives it.
 int spawn(std::FILE* in, std::FILE* out, std::FILE* messages) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -64,6 +64,8 @@ std::string run_gnuplot(const std::string& script) {
   const int status = spawn(in.get(), out.get(), messages.get());
   std::string picture = whole(out.get());
   if (status == 0 && !picture.empty()) return picture;
+  if (WIFSIGNALED(status))
+    throw GnuplotError(fmt::format("no plot: gnuplot ended by signal {}", WTERMSIG(status)));
   throw GnuplotError(fmt::format("no plot: gnuplot failed: {}", whole(messages.get())));
 }
 

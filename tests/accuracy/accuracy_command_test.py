@@ -109,6 +109,17 @@ class Accuracy(unittest.TestCase):
         ]:
             self.assertIn(word, text)
 
+    def test_a_knob_that_errs_nothing_leaves_the_plot_whole(self):
+        (self.folder / "room.pov").write_text(
+            "background { spectrum { e } } camera { location -9*z right x }"
+            " box { -1, 1 interior { ior 1.5 } } global_settings { polarization off }"
+        )
+        for knobs in ["wavelengths", "precision", "without"]:
+            with self.subTest(knobs=knobs):
+                run = self.nicol("room.pov", *SMALL, "--repeats", "1", "--knobs", knobs)
+                self.assertEqual(run.returncode, 0, run.stderr)
+                self.assertNotIn("no plot", run.stderr)
+
     def test_without_gnuplot_there_is_a_table_and_a_message(self):
         empty = self.folder / "empty"
         empty.mkdir()
