@@ -115,7 +115,8 @@ class Nicol:
         import numpy
 
         out = Path(self.folder.name) / "out.exr"
-        command = [self.program, "render", SCENE, "-o", out, "-W", size or self.size, "-H", size or self.size, *options]
+        command = [self.program, "render", SCENE, "-o", out, "-W", size or self.size, "-H", size or self.size, "--no-budget",
+                   *options]
         done = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=False)
         if done.returncode != 0:
             sys.exit(f"mitsuba.py: {' '.join(map(str, command))} failed:\n{done.stdout}{done.stderr}")
