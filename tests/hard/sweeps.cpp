@@ -1,5 +1,5 @@
 // Sweeps across singular places, in random directions: nothing jumps there. In double each step is cut into eight; none of the
-// eight may take more than its part of a continuous change (a square root's first eighth takes 0.36). Every way stays near double, by
+// eight may take more than half of a continuous change (a square root's first eighth takes 0.36). Every way stays near double, by
 // what rounding its input changes in double.
 #include <fmt/format.h>
 
@@ -59,6 +59,25 @@ double apart(const Seen& a, const Seen& b) {
 // What rounding the input changes there.
 double moved(const Reference& r, std::size_t i) { return std::max(apart(r.at[i], r.lower[i]), apart(r.at[i], r.upper[i])); }
 
+// What the largest eighth of a step changes beyond half of the step's change. Where the step has a bend in it, its largest eighth is
+// cut again: what stays in one piece each time is a jump.
+double jump_in(const Sweep& sweep, unsigned seed, double from, double to, int times) {
+  std::vector<Seen> fine;
+  const auto place = [&](int k) { return from + k / 8.0 * (to - from); };
+  for (int k = 0; k <= 8; ++k) fine.push_back(in_double(sweep.at(place(k), seed)));
+  double range = 0, jump = 0;
+  int largest = 0;
+  for (int k = 0; k <= 8; ++k)
+    for (int l = 0; l < k; ++l) range = std::max(range, apart(fine[k], fine[l]));
+  for (int k = 0; k < 8; ++k) {
+    if (apart(fine[k], fine[k + 1]) <= jump) continue;
+    jump = apart(fine[k], fine[k + 1]);
+    largest = k;
+  }
+  if (jump <= 0.5 * range || times == 1) return jump - 0.5 * range;
+  return jump_in(sweep, seed, place(largest), place(largest + 1), times - 1);
+}
+
 Reference reference_of(const Sweep& sweep, unsigned seed, double epsilon) {
   Reference out;
   for (const double t : sweep.points) {
@@ -68,14 +87,8 @@ Reference reference_of(const Sweep& sweep, unsigned seed, double epsilon) {
     out.upper.push_back(in_double(sweep.at(t + dt, seed)));
   }
   for (std::size_t i = 0; i + 1 < sweep.points.size(); ++i) {
-    std::vector<Seen> fine;
-    for (int k = 0; k <= 8; ++k) fine.push_back(in_double(sweep.at(sweep.points[i] + k / 8.0 * (sweep.points[i + 1] - sweep.points[i]), seed)));
-    double range = 0, jump = 0;
-    for (int k = 0; k <= 8; ++k)
-      for (int l = 0; l < k; ++l) range = std::max(range, apart(fine[k], fine[l]));
-    for (int k = 0; k < 8; ++k) jump = std::max(jump, apart(fine[k], fine[k + 1]));
     const double blur = moved(out, i) + moved(out, i + 1);
-    out.largest_jump = std::max(out.largest_jump, jump - 0.5 * range - 2 * blur);
+    out.largest_jump = std::max(out.largest_jump, jump_in(sweep, seed, sweep.points[i], sweep.points[i + 1], 3) - 2 * blur);
   }
   return out;
 }
@@ -198,6 +211,22 @@ Sweep shares() {
           pixels, [](double t) { return 8 * t; }, plate_floor(0.17, 5), plate_reason};
 }
 
+Sweep bins() {
+  std::vector<double> widths;
+  for (double nm = 0.05; nm < 60; nm *= 1.4) widths.push_back(nm);
+  return {"bins of wavelengths",
+          [](double t, unsigned seed) {
+            TestScene scene({580, 610});
+            scene.scene.weight_nm = {t, t};
+            scene.scene.settings.adc_bailout = 1e-9;
+            const int polarizer = scene.add_polarizer(Polarizer::Kind::ideal, {std::cos(0.4), std::sin(0.4), 0}, {0, 0, 1});
+            scene.add_sheet({0, 0, -50}, {0, 0, 1}, 400, 400, scene.add_emission(2, polarizer), {});
+            scene.add_box({-300, -300, 0}, {300, 300, 0.3}, scene.add_crystal(calcite, random_frame(seed + 21)));
+            return View{stage_of(scene), towards({0.1, 0.2, -1}, 20)};
+          },
+          widths, [](double t) { return 8 * t; }, plate_floor(0.17, 0.3), plate_reason};
+}
+
 Sweep matching() {
   return {"index matching",
           [](double t, unsigned seed) {
@@ -206,14 +235,14 @@ Sweep matching() {
             const auto medium = [&](double n) {
               return crystal ? scene.add_crystal({n, n, n + 0.01}, OpticFrame{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}}) : scene.add_medium(n);
             };
-            const int one = scene.add_box({-50, -50, -10}, {50, 50, 0}, scene.add_medium(1.52));
+            const int one = scene.add_box({-50, -50, -0.5}, {50, 50, 0}, scene.add_medium(1.52));
             const int two = scene.add_box({-50, -50, 0}, {50, 50, 10}, medium(1.52 + t));
             scene.join(Patch::Behind::cell_contact, one, test::Side::z_high, two, test::Side::z_low);
-            scene.cover(one, test::Side::z_low, scene.add_sheet({0, 0, -10}, {0, 0, 1}, 50, 50, scene.add_emission(1), {}));
+            scene.cover(one, test::Side::z_low, scene.add_sheet({0, 0, -0.5}, {0, 0, 1}, 50, 50, scene.add_emission(1), {}));
             scene.geometry.camera_cell = one;
             scene.scene.settings.max_trace_level = 2;
             scene.scene.settings.adc_bailout = 0;
-            return View{stage_of(scene), {{0, 0, -1}, {std::sin(1.55), 0, std::cos(1.55)}, {0, 1, 0}}};
+            return View{stage_of(scene), {{0, 0, -0.05}, {std::sin(1.55), 0, std::cos(1.55)}, {0, 1, 0}}};
           },
           around_zero(1e-3, 1e-10), [](double t) { return 8 + 8 * std::fabs(t); }, 40, "8 eps of the index, in double; 40 eps"};
 }
@@ -256,7 +285,7 @@ std::function<void(Bench&)> running(const Sweep& sweep) {
 
 std::vector<Case> sweep_cases() {
   std::vector<Case> cases;
-  for (const Sweep& sweep : {normal_incidence(), critical(false), critical(true), optic_axis(), binormal(), shares(), matching(),
+  for (const Sweep& sweep : {normal_incidence(), critical(false), critical(true), optic_axis(), binormal(), shares(), bins(), matching(),
                              birefringence(), grazing()})
     cases.push_back({"sweeps", "across " + sweep.name, running(sweep)});
   return cases;
