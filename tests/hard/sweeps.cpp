@@ -235,10 +235,11 @@ Sweep matching() {
             const auto medium = [&](double n) {
               return crystal ? scene.add_crystal({n, n, n + 0.01}, OpticFrame{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}}) : scene.add_medium(n);
             };
-            const int one = scene.add_box({-50, -50, -0.5}, {50, 50, 0}, scene.add_medium(1.52));
+            const int one = scene.add_box({-50, -50, -10}, {50, 50, 0}, scene.add_medium(1.52));
             const int two = scene.add_box({-50, -50, 0}, {50, 50, 10}, medium(1.52 + t));
             scene.join(Patch::Behind::cell_contact, one, test::Side::z_high, two, test::Side::z_low);
-            scene.cover(one, test::Side::z_low, scene.add_sheet({0, 0, -0.5}, {0, 0, 1}, 50, 50, scene.add_emission(1), {}));
+            // what comes back leaves by the side
+            scene.cover(one, test::Side::x_high, scene.add_disc({50, 0, -5}, {1, 0, 0}, 80, 0, scene.add_emission(1), {}));
             scene.geometry.camera_cell = one;
             scene.scene.settings.max_trace_level = 2;
             scene.scene.settings.adc_bailout = 0;
