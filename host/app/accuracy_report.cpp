@@ -11,6 +11,11 @@ namespace {
 
 std::string percent(double relative) { return std::isnan(relative) ? "-" : fmt::format("{:.3g}", 100 * relative); }
 
+// Errors below the reference's own are not told apart from it.
+std::string percent_above(double relative, double own_error) {
+  return relative < own_error ? "<" + percent(own_error) : percent(relative);
+}
+
 std::string seconds_text(double seconds) { return fmt::format("{:.3g}", seconds); }
 
 std::vector<bool> on_front(const Sweep& sweep) {
@@ -122,7 +127,8 @@ std::string accuracy_table(const AccuracyCommand& command, const Sweep& sweep) {
     const std::string value = m.knob == Knob::combined ? setting_text(m.setting) : m.text;
     fmt::format_to(out, "{:<11} {:<{}}  {:>8} {:>15}  {:>8} {:>8} {:>8}  {:>6.2f} {:>6.2f} {:>6.2f}{}\n",
                    knob_name(m.knob), value, width, seconds_text(m.median()),
-                   fmt::format("{}..{}", seconds_text(m.fastest()), seconds_text(m.slowest())), percent(m.error.rms()),
+                   fmt::format("{}..{}", seconds_text(m.fastest()), seconds_text(m.slowest())),
+                   percent_above(m.error.rms(), sweep.reference.own_error()),
                    percent(std::max(m.error.stokes_max, m.error.xyz_max)), percent(m.alone), m.error.ciede_mean,
                    m.error.ciede_95, m.error.ciede_worst, front[i] ? " *" : "");
   }
