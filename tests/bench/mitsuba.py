@@ -161,7 +161,7 @@ def main():
     parser.add_argument("--samples", type=int, nargs="+", default=[1, 4, 9, 16, 25, 36, 64, 144, 256, 400, 576])
     parser.add_argument("--sample-errors", type=float, nargs="+", default=[0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005])
     parser.add_argument("--reference", type=int, default=4096, help="samples per pixel of nicol's reference")
-    parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--repeats", type=int, default=2)
     arguments = parser.parse_args()
     mi = load_mitsuba(arguments.variant)
     if not os.access(arguments.nicol, os.X_OK):
@@ -176,12 +176,14 @@ def main():
     show("Mitsuba", mitsuba_curve, "samples")
     each = ["--declare", "Dispersion=1e-9"]
     curves = {"nicol, samples everywhere": nicol.curve("--samples", [], arguments.samples, reference, arguments.repeats),
-              "nicol, each wavelength by itself": nicol.curve("--samples", each, arguments.samples, reference, arguments.repeats)}
+              "nicol, each wavelength by itself": nicol.curve("--samples", each, [n for n in arguments.samples if n <= 64], reference, 1)}
     for title, curve in curves.items():
         show(title, curve, "samples")
     if "--sample-error" in subprocess.run([arguments.nicol, "render", "--help"], capture_output=True, text=True, check=False).stdout:
-        for title, options in (("nicol, samples where they matter", []), ("the same, each wavelength by itself", each)):
-            curves[title] = nicol.curve("--sample-error", options, arguments.sample_errors, reference, arguments.repeats)
+        for title, options, least, repeats in (("nicol, samples where they matter", [], 0, arguments.repeats),
+                                               ("the same, each wavelength by itself", each, 0.001, 1)):
+            errors = [error for error in arguments.sample_errors if error >= least]
+            curves[title] = nicol.curve("--sample-error", options, errors, reference, repeats)
             show(title, curves[title], "error asked for")
     compare(mitsuba_curve, curves)
 
