@@ -107,7 +107,24 @@ FUNCTION mask inside_ring(vec3 point, vec3 centre, scalar radius2, scalar hole2)
   return (distance2 <= lanes(radius2)) & (distance2 >= lanes(hole2));
 }
 
-// Depth at which the ray crosses a sheet, FAR_MM where it does not.
+// How far back along the ray the solid begins that it just left or was thrown back from; negative.
+FUNCTION real depth_of_solid_left(PRIVATE const SceneView* view, PRIVATE const Ray* ray) {
+  vec3 position = sub3(add3(ray->position, cell_centre(view, ray->cell)), cell_centre(view, ray->from_cell));
+  int first = cell_of(view, ray->from_cell)[CELL_FIRST_FACE];
+  int count = cell_of(view, ray->from_cell)[CELL_FACE_COUNT];
+  real in = -FAR_MM;
+  for (int i = first; i < first + count; ++i) {
+    GLOBAL const scalar* plane = view->face_reals + i * FACE_REALS;
+    real forward = dot3(broadcast(plane), ray->direction);
+    mask entering = forward < lanes(0);
+    real depth = (lanes(plane[3]) - dot3(broadcast(plane), position)) / pick(entering, forward, lanes(1));
+    in = pick(entering & (depth > in), depth, in);
+  }
+  return in;
+}
+
+// Depth at which the ray crosses a sheet, FAR_MM where it does not. No sheet lies inside the solid just left: where the
+// crossing seems to, rounding has put it there, and it lies at the nearer end.
 FUNCTION real cross_sheet(PRIVATE const SceneView* view, PRIVATE const Ray* ray, int sheet, PRIVATE vec3* normal) {
   GLOBAL const int* record = view->sheets + sheet * SHEET_INTS;
   GLOBAL const scalar* reals = view->sheet_reals + sheet * SHEET_REALS;
@@ -117,10 +134,19 @@ FUNCTION real cross_sheet(PRIVATE const SceneView* view, PRIVATE const Ray* ray,
   mask level = forward == lanes(0);
   real depth = (lanes(reals[SHEET_PLANE + 3]) - dot3(n, position)) / pick(level, lanes(1), forward);
   vec3 point = along(depth, ray->direction, position);
-  mask met = not_mask(level) & (depth > lanes(0));
-  met = inside_edges(view, record[SHEET_FIRST_EDGE], record[SHEET_EDGE_COUNT], point, met);
+  mask within = not_mask(level);
+  within = inside_edges(view, record[SHEET_FIRST_EDGE], record[SHEET_EDGE_COUNT], point, within);
   if (has(discs, view) && record[SHEET_HAS_DISC])
-    met = met & inside_ring(point, broadcast(reals + SHEET_DISC_CENTRE), reals[SHEET_RADIUS2], reals[SHEET_HOLE2]);
+    within = within & inside_ring(point, broadcast(reals + SHEET_DISC_CENTRE), reals[SHEET_RADIUS2], reals[SHEET_HOLE2]);
+  mask met = within & (depth > lanes(0));
+  if (ray->from_cell >= 0) {
+    mask behind = within & (depth <= lanes(0)) & (depth > lanes(-view->cell_reals[ray->from_cell * CELL_REALS + CELL_RADIUS]));
+    if (any_lane(behind)) {
+      mask near = behind & (depth > lanes(0.5f) * depth_of_solid_left(view, ray));
+      depth = pick(near, lanes(0), depth);
+      met = met | near;
+    }
+  }
   *normal = pick3(forward < lanes(0), scale3(lanes(-1), n), n);
   return pick(met, depth, FAR_MM);
 }

@@ -103,6 +103,18 @@ void nearly_touching(Bench& bench) {
   }
 }
 
+// A light so near behind a plate that rounding may have the ray beyond it already.
+void light_nearly_touching(Bench& bench) {
+  for (const double gap_mm : {1e-9, 1e-7, 1e-5})
+    for (const double thick_mm : {1.0, 0.7}) {
+      Stage stage = lit_stage(fmt::format("box {{ <-300, 0, -300>, <300, {:.17g}, 300> {} }} polygon {{ 5, <-900,{:.17g},-900>, <900,{:.17g},-900>, "
+                                          "<900,{:.17g},900>, <-900,{:.17g},900>, <-900,{:.17g},-900> luminous {{ spectrum {{ e }} }} }}",
+                                          thick_mm, glass, -gap_mm, -gap_mm, -gap_mm, -gap_mm, -gap_mm), 0);
+      stage.scene.settings.adc_bailout = 1e-7;
+      hold_stack(bench, stage, 1, thick_mm, fmt::format("light {:g} mm behind", gap_mm));
+    }
+}
+
 void slivers(Bench& bench) {
   for (const double thick_mm : {1e-3, 1e-7, 1e-12}) {
     const Stage stage = stack(1, thick_mm, 0, "");
@@ -251,6 +263,7 @@ std::vector<Case> solid_cases() {
   return {{"solids", "edges and vertices", edges},
           {"solids", "faces that touch", touching},
           {"solids", "faces 1e-9 mm apart", nearly_touching},
+          {"solids", "light 1e-9 mm away", light_nearly_touching},
           {"solids", "slivers", slivers},
           {"solids", "needles", needles},
           {"solids", "256 faces", many_faces},
