@@ -47,6 +47,9 @@ class Gather {
   // Estimates the error of pixel sampling from what is there, into frame.sample_error (scene with path_signatures only).
   void estimate_errors();
 
+  // Part of the pixels that edges cross or touch, after estimate_errors().
+  double part_at_edges() const;
+
   // Pixels of rows that are not whole become zero; counts the cut-off weights. To be called once at the end.
   void finish();
 

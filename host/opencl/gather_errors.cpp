@@ -141,6 +141,10 @@ double Gather::error_of(std::size_t pixel) const {
   return law_ * std::sqrt((deviation2(pixel) + prior * prior) / n) * std::pow(n, -0.75);
 }
 
+double Gather::part_at_edges() const {
+  return static_cast<double>(std::count(edge_.begin(), edge_.end(), 1)) / static_cast<double>(std::max<std::size_t>(1, edge_.size()));
+}
+
 void Gather::estimate_errors() {
   if (!spread_) return;
   if (prior_.empty()) first_errors();

@@ -386,6 +386,13 @@ double Renderer::mean_radiance() const {
 
 // Further samples where they matter, pass by pass.
 void Renderer::refine() {
+  gather_.estimate_errors();
+  // Where edges are nearly everywhere, one sample a pixel and those of its neighbours miss too much.
+  constexpr double everywhere = 0.5;
+  if (end_ == 1 && gather_.part_at_edges() > everywhere && !run_pass(nullptr, 1, next_count(1))) {
+    report_.interrupted = true;
+    return;
+  }
   for (;;) {
     gather_.estimate_errors();
     const double target = options_.sample_error * mean_radiance();
