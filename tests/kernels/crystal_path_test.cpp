@@ -61,7 +61,9 @@ const Solid solids[] = {
 
 }  // namespace
 
-TEST_CASE("a camera inside a crystal sees the same bright world") {
+// Each solid in a world of radiance 1, for all kernels, with and without coherence. kappa: of the fields, first order in it.
+template <class Look>
+void in_bright_worlds(Look look) {
   for (const Kernels* kernels : all_kernels()) {
     for (const Solid& solid : solids) {
       for (const bool coherence : {false, true}) {
@@ -71,53 +73,44 @@ TEST_CASE("a camera inside a crystal sees the same bright world") {
         TestScene scene;
         scene.scene.sky = {1};
         solid.fill(scene);
-        scene.geometry.camera_cell = 1;
         scene.scene.settings.adc_bailout = 1e-3;
-        scene.scene.settings.max_trace_level = 2000;
         scene.scene.settings.coherence = coherence;
-        std::vector<RayCase> rays = random_rays(64, 1, 17);
-        for (RayCase& ray : rays) ray.position = {-7 + 0.01 * ray.position.x, 0.1 * ray.position.y, 0.1 * ray.position.z};
-        Counters counters;
-        const auto lights = kernels->follow_rays(scene.packed(kernels->lanes), rays, 0, counters);
         const double kappa = solid.name.find("quartz") == std::string::npos ? 0 : 3.5e-5;
-        for (const Light& light : lights) {
-          // light that total reflection keeps inside meets up to 2000 faces
-          const int faces = light.cut_off > 0.5 ? 2000 : 40;
-          CHECK(std::fabs(light.s0 + light.cut_off - 1) < 4 * faces * kernels->epsilon + 4 * kappa * kappa);
-        }
-        CHECK(counters.nan + counters.stack == 0);
+        look(*kernels, solid.name, scene, kappa);
       }
     }
   }
 }
 
-TEST_CASE("furnace with crystals: every ray brings 1, unpolarized, but for what was cut off") {
-  for (const Kernels* kernels : all_kernels()) {
-    for (const Solid& solid : solids) {
-      for (const bool coherence : {false, true}) {
-        CAPTURE(kernels->name);
-        CAPTURE(solid.name);
-        CAPTURE(coherence);
-        TestScene scene;
-        scene.scene.sky = {1};
-        solid.fill(scene);
-        scene.scene.settings.adc_bailout = 1e-3;
-        scene.scene.settings.coherence = coherence;
-        Counters counters;
-        const auto lights = kernels->follow_rays(scene.packed(kernels->lanes), random_rays(200, 10, 7), 0, counters);
-        double off = 0, polarized = 0;
-        for (const Light& light : lights) {
-          off = std::max(off, std::fabs(light.s0 + light.cut_off - 1));
-          polarized = std::max(polarized, std::sqrt(light.s1 * light.s1 + light.s2 * light.s2 + light.s3 * light.s3) - light.cut_off);
-        }
-        MESSAGE(kernels->name << ", " << solid.name << (coherence ? ", coherent" : "") << ": off " << off << ", polarized " << polarized
-                              << ", " << counters.segments << " segments, " << counters.energy << " energy");
-        // the fields of active crystals are first order in kappa = 3.5e-5
-        const double kappa = solid.name.find("quartz") == std::string::npos ? 0 : 3.5e-5;
-        CHECK(off < 300 * kernels->epsilon + 4 * kappa * kappa);
-        CHECK(counters.nan == 0);
-        CHECK(counters.stack == 0);
-      }
+TEST_CASE("a camera inside a crystal sees the same bright world") {
+  in_bright_worlds([](const Kernels& kernels, const std::string&, TestScene& scene, double kappa) {
+    scene.geometry.camera_cell = 1;
+    scene.scene.settings.max_trace_level = 2000;
+    std::vector<RayCase> rays = random_rays(64, 1, 17);
+    for (RayCase& ray : rays) ray.position = {-7 + 0.01 * ray.position.x, 0.1 * ray.position.y, 0.1 * ray.position.z};
+    Counters counters;
+    for (const Light& light : kernels.follow_rays(scene.packed(kernels.lanes), rays, 0, counters)) {
+      // light that total reflection keeps inside meets up to 2000 faces
+      const int faces = light.cut_off > 0.5 ? 2000 : 40;
+      CHECK(std::fabs(light.s0 + light.cut_off - 1) < 4 * faces * kernels.epsilon + 4 * kappa * kappa);
     }
-  }
+    CHECK(counters.nan + counters.stack == 0);
+  });
+}
+
+TEST_CASE("furnace with crystals: every ray brings 1, unpolarized, but for what was cut off") {
+  in_bright_worlds([](const Kernels& kernels, const std::string& name, TestScene& scene, double kappa) {
+    Counters counters;
+    const auto lights = kernels.follow_rays(scene.packed(kernels.lanes), random_rays(200, 10, 7), 0, counters);
+    double off = 0, polarized = 0;
+    for (const Light& light : lights) {
+      off = std::max(off, std::fabs(light.s0 + light.cut_off - 1));
+      polarized = std::max(polarized, std::sqrt(light.s1 * light.s1 + light.s2 * light.s2 + light.s3 * light.s3) - light.cut_off);
+    }
+    MESSAGE(kernels.name << ", " << name << ": off " << off << ", polarized " << polarized << ", " << counters.segments
+                         << " segments, " << counters.energy << " energy");
+    CHECK(off < 300 * kernels.epsilon + 4 * kappa * kappa);
+    CHECK(counters.nan == 0);
+    CHECK(counters.stack == 0);
+  });
 }
