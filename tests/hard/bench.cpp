@@ -22,8 +22,10 @@ enum : std::uint32_t {
 
 // Sets of effects whose kernels the scenes share, smallest first. An effect too many changes nothing; what says
 // how lanes are filled is the scene's own.
-constexpr std::uint32_t isotropic = polarization | full_jones | absorption | rotation | ideal_polarizer | luminous_sheets |
-                                    polarizing_sheets | luminous_faces | light_contacts | discs | solid_contacts | many_solids | nested_solids | orthographic;
+constexpr std::uint32_t isotropic =
+    polarization | full_jones | absorption | rotation | ideal_polarizer | luminous_sheets |
+                                    polarizing_sheets | luminous_faces | light_contacts | discs | solid_contacts |
+                                    many_solids | nested_solids | orthographic;
 constexpr std::uint32_t crystals = isotropic | birefringence | general_waves | gyration | pleochroism | coherent_waves |
                                    camera_in_crystal;
 
@@ -61,7 +63,8 @@ std::vector<Seen> native_picture(const Kernels& kernels, const PackedScene& pack
   return out;
 }
 
-std::vector<Seen> device_picture(const Way& way, const PackedScene& packed, const Scene& scene, double tile_seconds, RenderReport& report) {
+std::vector<Seen> device_picture(const Way& way, const PackedScene& packed, const Scene& scene, double tile_seconds,
+    RenderReport& report) {
   RenderOptions options;
   options.kernel.real_double = way.real_double;
   options.kernel.lanes = way.lanes;
@@ -125,7 +128,8 @@ std::vector<Seen> Bench::look(const Stage& stage, const Look& look, int width, i
   test::Counters counters;
   if (!way_.specialised) {
     const auto out = native_picture(way_.native(), packed, counters);
-    hold("counters", "no number fails, R + T = 1, no stack is full", 0, counters.nan + counters.energy + counters.stack);
+    hold("counters", "no number fails, R + T = 1, no stack is full", 0,
+        counters.nan + counters.energy + counters.stack);
     return out;
   }
   RenderReport report;
@@ -139,7 +143,8 @@ void Bench::hold(const std::string& quantity, const std::string& reason, double 
   table_.hold(way_.column(), name_, quantity, reason, bound, error);
 }
 
-void Bench::hold_seen(const std::string& quantity, const std::string& reason, double bound, double seen, double expected,
+void Bench::hold_seen(const std::string& quantity, const std::string& reason, double bound, double seen,
+    double expected,
                       double size) {
   const double storage = way_.specialised ? size * 0x1p-24 : 0;
   const double off = std::fabs(seen - expected);

@@ -1,6 +1,7 @@
 // Hard scenes, and the eight ways in which each is rendered: float and double, 1 and 8 lanes, generic and specialised.
-// Generic: the kernels compiled by the C++ compiler, read in full precision. Specialised: compiled by OpenCL for the device with
-// the scene's effects baked in; what the picture's storage as float takes (2^-24) is not counted as an error.
+// Generic: the kernels compiled by the C++ compiler, read in full precision. Specialised: compiled by OpenCL for the
+// device with the scene's effects baked in; what the picture's storage as float takes (2^-24) is not counted as an
+// error.
 #pragma once
 #include <functional>
 #include <string>
@@ -37,7 +38,8 @@ struct Stage {
   Scene scene;
   Geometry geometry;
 };
-// From the text of a scene without a camera, wavelengths or settings (right-handed: z is turned). Throws what is wrong with it.
+// From the text of a scene without a camera, wavelengths or settings (right-handed: z is turned). Throws what is
+// wrong with it.
 Stage stage_of(const std::string& text, const std::vector<double>& lambda_nm, const Vec3& camera);
 Stage stage_of(TestScene scene);
 

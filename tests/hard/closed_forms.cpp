@@ -68,7 +68,8 @@ Stokes turning_plate(Real n, Real retardance, Real turn, Real a) {
   Matrix way = there;
   Real amplitude = 1 - R;
   for (int m = 0; m < 400; ++m, way = way * back * there, amplitude *= R)
-    add_field(sum, amplitude * (way.xx * std::cos(a) + way.xy * std::sin(a)), amplitude * (way.yx * std::cos(a) + way.yy * std::sin(a)));
+    add_field(sum, amplitude * (way.xx * std::cos(a) + way.xy * std::sin(a)),
+        amplitude * (way.yx * std::cos(a) + way.yy * std::sin(a)));
   return sum;
 }
 

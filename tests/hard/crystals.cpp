@@ -1,5 +1,5 @@
-// Crystals where their waves come together or lie far apart: birefringence 1e-7 and 0.7, the optic axis, the binormal, indices
-// that cross while the crystal is active; and the 60-digit solutions of faces in all these places.
+// Crystals where their waves come together or lie far apart: birefringence 1e-7 and 0.7, the optic axis, the
+// binormal, indices that cross while the crystal is active; and the 60-digit solutions of faces in all these places.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -79,7 +79,8 @@ void optic_axis(Bench& bench) {
       const Vec3 axis = test::plus(test::scaled(std::sin(angle), aside), {0, 0, std::cos(angle)});
       const TestScene scene = plate_before_light(
           thick_mm, 0.3, [&](TestScene& t) { return t.add_crystal({n_o, n_o, n_e}, frame_along(axis, {0, 1, 0})); });
-      const Real sine = std::sin(Real(angle)), inverse = 1 / (Real(n_o) * n_o) + (1 / (Real(n_e) * n_e) - 1 / (Real(n_o) * n_o)) * sine * sine;
+      const Real sine = std::sin(Real(angle)), inverse = 1 / (Real(n_o) * n_o) + (1 / (Real(n_e) * n_e) - 1
+          / (Real(n_o) * n_o)) * sine * sine;
       const Real n = 1 / std::sqrt(inverse), thick = Real(thick_mm) / lambda_mm;
       const Stokes exact = wave_plate({Real(n_o), n}, azimuth + pi_real / 2, thick, 0.3);
       const double phase = 2 * test::pi * static_cast<double>((n - n_o) * thick);
@@ -106,7 +107,8 @@ Section section_across_z(const std::array<Real, 3>& eta, const OpticFrame& frame
 void binormal(Bench& bench) {
   const std::array<double, 3> n{1.530, 1.681, 1.6855};
   const double thick_mm = 1;
-  const Real v = std::acos(n[0] / Real(n[1]) * std::sqrt((Real(n[2]) * n[2] - Real(n[1]) * n[1]) / (Real(n[2]) * n[2] - Real(n[0]) * n[0])));
+  const Real v = std::acos(n[0] / Real(n[1]) * std::sqrt((Real(n[2]) * n[2] - Real(n[1]) * n[1]) / (Real(n[2]) * n[2]
+      - Real(n[0]) * n[0])));
   for (const double angle : from_axis)
     for (const double azimuth : {0.0, 0.9, 2.0}) {
       // the binormal along z, gamma in the plane of x and z; then all of it leant over by `angle` towards `azimuth`
@@ -125,13 +127,15 @@ void binormal(Bench& bench) {
       const Real thick = Real(thick_mm) / lambda_mm;
       const Stokes exact = wave_plate({waves.n[0], waves.n[1]}, waves.azimuth, thick, 0.3);
       const double phase = 2 * test::pi * static_cast<double>(thick) * (n[2] - n[0]);
-      hold_stokes(bench, "Stokes vector of a plate", "24 eps; 4 eps of the phase of the birefringence; the frame itself is rounded in double",
-                  state_bound(bench.epsilon(), phase) + 0x1p-52 * 2 * test::pi * n[1] * static_cast<double>(thick), bench.look(stage_of(scene), straight_down)[0], exact);
+      hold_stokes(bench, "Stokes vector of a plate",
+          "24 eps; 4 eps of the phase of the birefringence; the frame itself is rounded in double",
+                  state_bound(bench.epsilon(), phase) + 0x1p-52 * 2 * test::pi * n[1] * static_cast<double>(thick),
+                      bench.look(stage_of(scene), straight_down)[0], exact);
     }
 }
 
-// Indices that cross at one wavelength while the crystal turns light: there it is all turned, as by an isotropic medium. All
-// wavelengths at once: the lanes hold both sides of the crossing.
+// Indices that cross at one wavelength while the crystal turns light: there it is all turned, as by an isotropic
+// medium. All wavelengths at once: the lanes hold both sides of the crossing.
 void crossing(Bench& bench) {
   std::vector<double> wavelengths;
   std::vector<Real> difference;
@@ -159,8 +163,10 @@ void crossing(Bench& bench) {
     const Real retardance = -2 * pi_real * change * thick_mm / mm, turn = pi_real * g / (n * mm) * thick_mm;
     const Stokes exact = turning_plate(n, retardance, turn, light);
     const double phase = static_cast<double>(std::hypot(retardance, 2 * turn));
-    const double bound = state_bound(bench.epsilon(), phase) + static_cast<double>(std::fabs(change)) + 4 * kappa * kappa * (1 + phase);
-    hold_stokes(bench, "Stokes vector of a plate", "24 eps; 4 eps of the phase; one R for both waves: n1 - n0; first order in zeta: 4 kappa^2 (1 + phase)",
+    const double bound = state_bound(bench.epsilon(), phase) + static_cast<double>(std::fabs(change)) + 4 * kappa
+        * kappa * (1 + phase);
+    hold_stokes(bench, "Stokes vector of a plate",
+        "24 eps; 4 eps of the phase; one R for both waves: n1 - n0; first order in zeta: 4 kappa^2 (1 + phase)",
                 bound, seen[i], exact);
   }
 }
@@ -178,11 +184,14 @@ void active_axis(Bench& bench) {
     const Real retardance = -2 * pi_real * (n - n_o) * thick_mm / lambda_mm;   // the extraordinary wave lies along x
     const Real turn = pi_real * (g33 + (g11 - g33) * square) / (n_o * Real(lambda_mm)) * thick_mm;
     const Stokes exact = turning_plate(n_o, retardance, turn, light);
-    const double phase = static_cast<double>(std::hypot(retardance, 2 * turn)), kappa = rho * lambda_mm / (2 * test::pi);
-    const double bound = state_bound(bench.epsilon(), phase) + static_cast<double>(n - n_o) + 4 * kappa * kappa * (1 + phase) +
+    const double phase = static_cast<double>(std::hypot(retardance, 2 * turn)),
+        kappa = rho * lambda_mm / (2 * test::pi);
+    const double bound = state_bound(bench.epsilon(), phase) + static_cast<double>(n - n_o) + 4 * kappa * kappa * (1
+        + phase) +
                          2 * (n_e * n_e / (n_o * n_o) - 1) * 1.449 * static_cast<double>(square * turn);
     hold_stokes(bench, "Stokes vector of a plate",
-                "24 eps; 4 eps of the phase; closed form: one R for both waves, gyration of E for that of D; first order in zeta: 4 kappa^2 (1 + phase)", bound,
+                "24 eps; 4 eps of the phase; closed form: one R for both waves, gyration of E for D; first order "
+                "in zeta: 4 kappa^2 (1 + phase)", bound,
                 bench.look(stage_of(scene), straight_down)[0], exact);
   }
 }
@@ -191,13 +200,15 @@ void active_axis(Bench& bench) {
 void camera_inside(Bench& bench) {
   const std::array<double, 3> n{1.65835, 1.65835, 1.48640};
   TestScene scene;
-  const int cell = scene.add_box({-50, -50, -10}, {50, 50, 10}, scene.add_crystal(n, frame_along({1, 0, 0}, {0, 1, 0})));
+  const int cell = scene.add_box({-50, -50, -10}, {50, 50, 10}, scene.add_crystal(n, frame_along({1, 0, 0}, {0, 1,
+      0})));
   scene.cover(cell, test::Side::z_low, scene.add_sheet({0, 0, -10}, {0, 0, 1}, 50, 50, scene.add_emission(1), {}));
   scene.geometry.camera_cell = cell;
   scene.scene.settings.max_trace_level = 1;
   for (const double pixel_mm : {1e-6, 10.0}) {
     const Seen seen = bench.look(stage_of(scene), {{0, 0, 3}, {0, 0, -1}, {1, 0, 0}, pixel_mm})[0];
-    const Real o = 4 * Real(n[0]) / ((1 + Real(n[0])) * (1 + Real(n[0]))), e = 4 * Real(n[2]) / ((1 + Real(n[2])) * (1 + Real(n[2])));
+    const Real o = 4 * Real(n[0]) / ((1 + Real(n[0])) * (1 + Real(n[0]))),
+        e = 4 * Real(n[2]) / ((1 + Real(n[2])) * (1 + Real(n[2])));
     const char* why = "24 eps";
     bench.hold_seen("T of both waves", why, 24 * bench.epsilon(), seen.s[0], static_cast<double>((o + e) / 2), 1);
     bench.hold_seen("T_e - T_o", why, 24 * bench.epsilon(), seen.s[1], static_cast<double>((e - o) / 2), 1);
@@ -212,25 +223,29 @@ void twins(Bench& bench) {
       TestScene scene;
       scene.scene.sky = {1};
       scene.scene.settings.adc_bailout = 1e-3;
-      const int a = scene.add_box({-8, -8, -8}, {0, 8, 8}, scene.add_crystal(n, frame_along({0.3, 0.5, 0.8}, {1, 0, 0})));
-      const int b = scene.add_box({0, -8, -8}, {8, 8, 8}, scene.add_crystal(n, frame_along({-0.3, 0.5, 0.8}, {-1, 0, 0})));
+      const int a = scene.add_box({-8, -8, -8}, {0, 8, 8}, scene.add_crystal(n, frame_along({0.3, 0.5, 0.8}, {1, 0,
+          0})));
+      const int b = scene.add_box({0, -8, -8}, {8, 8, 8}, scene.add_crystal(n, frame_along({-0.3, 0.5, 0.8}, {-1, 0,
+          0})));
       scene.join(Patch::Behind::cell_contact, a, test::Side::x_high, b, test::Side::x_low);
       const Stage stage = stage_of(scene);
       for (const test::RayCase& ray : test::random_rays(16, 9, 3)) {
         const Seen seen = bench.look(stage, {ray.position, ray.direction, ray.axis, pixel_mm})[0];
-        bench.hold_seen("bright world: S0 + cut-off", "R + T = 1: 8 eps a face, 40 faces", 320 * bench.epsilon(), seen.s[0] + seen.cut_off, 1, 2);
+        bench.hold_seen("bright world: S0 + cut-off", "R + T = 1: 8 eps a face, 40 faces", 320 * bench.epsilon(),
+            seen.s[0] + seen.cut_off, 1, 2);
         bench.hold_seen("bright world: polarization", "none but what was cut off; 8 eps a face", 320 * bench.epsilon(),
                         std::max(0.0, std::hypot(seen.s[1], seen.s[2], seen.s[3]) - seen.cut_off), 0, 2);
       }
       // straight onto the face between them: nothing of either wave is lost
       scene.geometry.camera_cell = a;
       const Seen seen = bench.look(stage_of(scene), {{-4, 0.3, 0.2}, {1, 0, 0}, {0, 1, 0}, pixel_mm})[0];
-      bench.hold_seen("from inside: S0 + cut-off", "R + T = 1: 8 eps a face, 40 faces", 320 * bench.epsilon(), seen.s[0] + seen.cut_off, 1, 2);
+      bench.hold_seen("from inside: S0 + cut-off", "R + T = 1: 8 eps a face, 40 faces", 320 * bench.epsilon(),
+          seen.s[0] + seen.cut_off, 1, 2);
     }
 }
 
-// Faces of all classes in the places where digits are lost, against solutions to 60 digits. The share of what is allowed: 5e-6 (1e-12
-// in double) + 20 eps times the condition of the problem, active crystals first order in zeta.
+// Faces of all classes in the places where digits are lost, against solutions to 60 digits. The share of what is
+// allowed: 5e-6 (1e-12 in double) + 20 eps times the condition of the problem, active crystals first order in zeta.
 void solutions(Bench& bench) {
   if (bench.way().lanes != 1 || bench.way().specialised) return;   // the probe has one lane
   static const nlohmann::json all = test::read_json("vectors.json"), hard = test::read_json("faces_hard.json");
@@ -239,7 +254,8 @@ void solutions(Bench& bench) {
     for (const nlohmann::json& one : (*file)["interface"]) {
       const std::string tag = one.value("tag", "absorbing, hard");
       if (tag.rfind("generic", 0) == 0) continue;
-      bench.hold(tag, "of 5e-6 (1e-12) + 20 eps x condition, 60 digits", 1, test::judge_face(one, bench.way().native(), precision).worst());
+      bench.hold(tag, "of 5e-6 (1e-12) + 20 eps x condition, 60 digits", 1, test::judge_face(one,
+          bench.way().native(), precision).worst());
     }
 }
 

@@ -1,5 +1,5 @@
-// Single faces where formulas lose their digits: grazing and normal incidence, Brewster's angle, the critical angle, media that
-// match.
+// Single faces where formulas lose their digits: grazing and normal incidence, Brewster's angle, the critical angle,
+// media that match.
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +11,8 @@ namespace {
 
 using test::Side;
 
-// A plate of `n` in vacuum, `thick_mm` along z and 10 m wide, whose lower face stands on a light of radiance 1: what is seen from
-// above is what the plate transmits.
+// A plate of `n` in vacuum, `thick_mm` along z and 10 m wide, whose lower face stands on a light of radiance 1: what
+// is seen from above is what the plate transmits.
 TestScene plate_on_light(double n, double thick_mm) {
   TestScene scene;
   scene.scene.settings.adc_bailout = 1e-18;
@@ -28,8 +28,8 @@ Look down_on_plate(double grazing, double thick_mm, double far_mm) {
           {std::cos(grazing), 0, -std::sin(grazing)}, {0, 1, 0}};
 }
 
-// T is proportional to p1 there, and p1 keeps its relative rounding: direction, its length, its product with the normal. What
-// leaves the far face does so at the critical angle, where p2^2 is a difference.
+// T is proportional to p1 there, and p1 keeps its relative rounding: direction, its length, its product with the
+// normal. What leaves the far face does so at the critical angle, where p2^2 is a difference.
 void grazing(Bench& bench) {
   const double n = 1.52, thick = 1e-3;
   TestScene first = plate_on_light(n, thick), both = first;
@@ -43,7 +43,8 @@ void grazing(Bench& bench) {
     const Face face = face_between(1, n, std::sin(Real(angle)));
     const double mean = static_cast<double>((face.T_s + face.T_p) / 2);
     const Seen in = bench.look(entry, look)[0];
-    bench.hold_seen("T of the face, relative", "4 eps of p1, 8 roundings of T", 12 * bench.epsilon(), in.cut_off / mean, 1, 1);
+    bench.hold_seen("T of the face, relative", "4 eps of p1, 8 roundings of T", 12 * bench.epsilon(),
+        in.cut_off / mean, 1, 1);
     bench.hold_seen("R + T", "8 roundings", 8 * bench.epsilon(), in.s[0] + in.cut_off, 1, 2);
     const Seen through = bench.look(plate, look)[0];
     const auto hold = [&](const char* what, double value, const std::function<Real(const Face&)>& of) {
@@ -52,7 +53,8 @@ void grazing(Bench& bench) {
       };
       const Real square = std::sin(Real(angle)) * std::sin(Real(angle));
       const Real change = spread(by_square, square, 6 * bench.epsilon() * n * n);
-      bench.hold_seen(what, "6 eps n^2 of p2^2 where it leaves; 24 eps", static_cast<double>(change) + 24 * bench.epsilon() * mean,
+      bench.hold_seen(what, "6 eps n^2 of p2^2 where it leaves; 24 eps",
+          static_cast<double>(change) + 24 * bench.epsilon() * mean,
                       value, static_cast<double>(by_square(square)), mean);
     };
     hold("T^2 of a plate", through.s[0], [&](const Face& f) { return (face.T_s * f.T_s + face.T_p * f.T_p) / 2; });
@@ -72,7 +74,8 @@ void normal(Bench& bench) {
       const char* why = "a dozen roundings of T";
       const double bound = 12 * bench.epsilon(), across = static_cast<double>(exact.difference());
       // azimuth of s = z x d against the picture's x and y
-      const Vec3 d = test::unit(look.along), x = test::unit(test::plus(look.right, test::scaled(-test::dot(look.right, d), d)));
+      const Vec3 d = test::unit(look.along), x = test::unit(test::plus(look.right, test::scaled(-test::dot(look.right,
+          d), d)));
       const Vec3 s{-d.y, d.x, 0};
       const double turned = std::atan2(test::dot(s, test::cross(x, d)), test::dot(s, x));
       bench.hold_seen("T of a plate", why, bound, seen.s[0], static_cast<double>(exact.mean()), 1);
@@ -117,7 +120,8 @@ void critical(Bench& bench) {
           const auto by_square = [&](Real x) { return of(face_between(n, 1, std::sqrt(std::max(Real(0), x)))); };
           const Real change = spread(by_square, square, rounding * n * n);
           bench.hold_seen(what, "p2^2 = p1^2 + bracket, off by 6 eps n^2, through T; 12 eps",
-                          static_cast<double>(change) + 12 * bench.epsilon(), value, static_cast<double>(by_square(square)), 1);
+                          static_cast<double>(change) + 12 * bench.epsilon(), value,
+                              static_cast<double>(by_square(square)), 1);
         };
         hold("T of the face", seen.s[0], [](const Face& f) { return (f.T_s + f.T_p) / 2; });
         hold("(T_s - T_p)/2", seen.s[1], [](const Face& f) { return (f.T_s - f.T_p) / 2; });
@@ -126,8 +130,8 @@ void critical(Bench& bench) {
   }
 }
 
-// The camera in glass before glass that differs by 1e-7; behind the camera a light. What comes back from the face between them
-// is 1e-15 and less: relative to that.
+// The camera in glass before glass that differs by 1e-7; behind the camera a light. What comes back from the face
+// between them is 1e-15 and less: relative to that.
 void matching(Bench& bench) {
   const double n1 = 1.52;
   for (const double n2 : {n1 * (1 - 1e-7), n1 * (1 + 1e-7), n1 * (1 - 1e-4), n1}) {

@@ -1,5 +1,5 @@
-// nicol_hard [--group NAME] [--case NAME] [--list]: the table of hard cases; 1 if a bound is broken. --digest N: of the picture
-// that way N draws, for repeat.cpp.
+// nicol_hard [--group NAME] [--case NAME] [--list]: the table of hard cases; 1 if a bound is broken. --digest N: of
+// the picture that way N draws, for repeat.cpp.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -14,7 +14,8 @@ namespace {
 
 std::vector<Case> all_cases() {
   std::vector<Case> all;
-  for (const auto& part : {face_cases(), crystal_cases(), solid_cases(), path_cases(), sweep_cases(), repeat_cases()}) all.insert(all.end(), part.begin(), part.end());
+  for (const auto& part : {face_cases(), crystal_cases(), solid_cases(), path_cases(), sweep_cases(),
+      repeat_cases()}) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 
@@ -57,7 +58,8 @@ int main(int argc, char** argv) {
   }
   if (list) return 0;
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  fmt::print("{}{} cases, {} quantities, {} numbers held; {} bounds broken; the worst takes {:.2g} of its bound; {:.0f} s\n",
+  fmt::print("{}{} cases, {} quantities, {} numbers held; {} bounds broken; the worst takes {:.2g} of its bound; "
+             "{:.0f} s\n",
              table.text(), cases, table.rows().size(), table.cells(), table.broken(), table.largest_share(), seconds);
   return cases > 0 && table.kept() ? 0 : 1;
 }

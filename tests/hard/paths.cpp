@@ -1,5 +1,5 @@
-// Long ways through solids: many turns of the plane of polarization, absorption to exp(-50), a thousand reflections, light
-// trapped in crystals, one wavelength and 401.
+// Long ways through solids: many turns of the plane of polarization, absorption to exp(-50), a thousand reflections,
+// light trapped in crystals, one wavelength and 401.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,8 @@ namespace {
 constexpr double n_glass = 1.52;
 
 // A block across z before a light polarized along x.
-TestScene block_before_light(double thick_mm, const std::function<int(TestScene&)>& add, const std::vector<double>& wavelengths = {580}) {
+TestScene block_before_light(double thick_mm, const std::function<int(TestScene&)>& add,
+    const std::vector<double>& wavelengths = {580}) {
   TestScene scene(wavelengths);
   scene.scene.settings.adc_bailout = 1e-18;
   const int light = scene.add_polarizer(Polarizer::Kind::ideal, {1, 0, 0}, {0, 0, 1});
@@ -29,12 +30,14 @@ void rotation(Bench& bench) {
   const double thick_mm = 16, mean = static_cast<double>(plate_between(1, n_glass, 1).mean());
   for (const double degrees : {27008.0, 1e7, -27008.17})
     for (const double thick : {thick_mm, 15.731}) {
-      const TestScene scene = block_before_light(thick, [&](TestScene& s) { return s.add_medium(n_glass, 0, degrees / thick); });
+      const TestScene scene = block_before_light(thick, [&](TestScene& s) { return s.add_medium(n_glass, 0,
+          degrees / thick); });
       const Seen seen = bench.look(stage_of(scene), {{0, 0, 100}, {0, 0, -1}})[0];
       // the depth as the scalar holds it
       const double depth = bench.way().native().round(thick / 2) * 2;
       const Real turns = -Real(degrees / thick) / 360 * depth, angle = 2 * pi_real * (turns - std::rint(turns));
-      const double bound = 24 * bench.epsilon() + static_cast<double>(std::fabs(turns)) * 2 * test::pi * 0x1p-48 + 4 * 0x1p-52 * std::fabs(degrees) / 57;
+      const double bound = 24 * bench.epsilon() + static_cast<double>(std::fabs(turns)) * 2 * test::pi * 0x1p-48 + 4
+          * 0x1p-52 * std::fabs(degrees) / 57;
       const std::string what = fmt::format("{:g} degrees", std::fabs(degrees));
       const char* why = "24 eps; turns as two floats, 2^-48 of them";
       bench.hold_seen(what + ": S1", why, bound, seen.s[1], mean * static_cast<double>(std::cos(2 * angle)), 1);
@@ -46,11 +49,13 @@ void rotation(Bench& bench) {
 // Askew the way is longer by what one rounding of the direction makes of it.
 void rotation_askew(Bench& bench) {
   const double degrees = 27008, thick = 16;
-  const TestScene scene = block_before_light(thick, [&](TestScene& s) { return s.add_medium(n_glass, 0, degrees / thick); });
+  const TestScene scene = block_before_light(thick, [&](TestScene& s) { return s.add_medium(n_glass, 0,
+      degrees / thick); });
   const Stage stage = stage_of(scene);
   for (const double tilt : {1e-6, 1e-3, 0.2}) {
     const Seen seen = bench.look(stage, {{-10 * tilt, 0, thick + 10}, {tilt, 0, -1}})[0];
-    const Real sine = tilt / std::sqrt(1 + Real(tilt) * tilt), inside = std::sqrt(1 - sine * sine / (n_glass * n_glass));
+    const Real sine = tilt / std::sqrt(1 + Real(tilt) * tilt), inside = std::sqrt(1 - sine * sine / (n_glass
+        * n_glass));
     const Real angle = -Real(degrees) / 180 * pi_real / inside;
     // in the axes of the face, one sense for both ways: orders m are t R (rho R rho R)^m t with rho = diag(r_s, r_p)
     const Face out = face_between(n_glass, 1, n_glass * inside);
@@ -88,7 +93,8 @@ void absorption(Bench& bench) {
     for (const bool uniaxial : {false, true}) {
       const auto add = [&](TestScene& s) {
         const OpticFrame frame{Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}};
-        return uniaxial ? s.add_crystal({n_glass, n_glass, 1.6}, frame, {}, {2 * k, 2 * k, k}) : s.add_medium(n_glass, k);
+        return uniaxial ? s.add_crystal({n_glass, n_glass, 1.6}, frame, {}, {2 * k, 2 * k, k}) : s.add_medium(n_glass,
+            k);
       };
       TestScene scene = block_before_light(thick, add);
       scene.scene.settings.adc_bailout = 0;
@@ -109,8 +115,8 @@ void absorption(Bench& bench) {
   }
 }
 
-// A rod of 1 x 2000 mm that light crosses a thousand times and more by total reflection, in through one end, out through the
-// other to a light. Orders: back and forth between the ends.
+// A rod of 1 x 2000 mm that light crosses a thousand times and more by total reflection, in through one end, out
+// through the other to a light. Orders: back and forth between the ends.
 void bounces(Bench& bench) {
   TestScene scene;
   scene.scene.settings.adc_bailout = 1e-6;
@@ -121,7 +127,8 @@ void bounces(Bench& bench) {
   const Stage stage = stage_of(scene);
   for (const double slope : {0.4, 0.6, 0.8}) {   // inside: tan of the angle to the axis
     const double outside = std::asin(n_glass * std::sin(std::atan(slope)));
-    const Look look{{0.1 - 3 * std::sin(outside), 0.2, length + 3 * std::cos(outside)}, {std::sin(outside), 0, -std::cos(outside)}, {0, 1, 0}};
+    const Look look{{0.1 - 3 * std::sin(outside), 0.2, length + 3 * std::cos(outside)}, {std::sin(outside), 0,
+        -std::cos(outside)}, {0, 1, 0}};
     const Seen seen = bench.look(stage, look)[0];
     const Plate exact = plate_between(1, n_glass, std::cos(Real(outside)));
     const double walls = length * slope, expected = static_cast<double>(exact.mean());
@@ -141,7 +148,8 @@ void bounces(Bench& bench) {
   const Stage closed = stage_of(trapped);
   for (const Vec3& along : {Vec3{1, 1, 1}, Vec3{1, 0.9, 1.1}, Vec3{-1, 1.05, 0.95}}) {
     const Seen seen = bench.look(closed, {{0.1, 0.2, 0.3}, along})[0];
-    bench.hold_seen("4096 faces, trapped: what is left", "2 eps a face", 2 * 4096 * bench.epsilon(), seen.s[0] + seen.cut_off, 1, 1);
+    bench.hold_seen("4096 faces, trapped: what is left", "2 eps a face", 2 * 4096 * bench.epsilon(),
+        seen.s[0] + seen.cut_off, 1, 1);
   }
 }
 
@@ -151,8 +159,8 @@ OpticFrame tilted() {
   return {x, test::cross(z, x), z};
 }
 
-// Light trapped by total reflection in crystals, as pairs of amplitudes (a wide pixel) and as single waves: every face keeps what
-// it got.
+// Light trapped by total reflection in crystals, as pairs of amplitudes (a wide pixel) and as single waves: every
+// face keeps what it got.
 void trapped_in_crystals(Bench& bench) {
   struct Kind {
     const char* name;
@@ -169,12 +177,15 @@ void trapped_in_crystals(Bench& bench) {
       scene.scene.sky = {1};
       scene.scene.settings.adc_bailout = 1e-4;
       scene.scene.settings.max_trace_level = 200;
-      scene.geometry.camera_cell = scene.add_box({-8, -3, -5}, {8, 3, 5}, scene.add_crystal(kind.n, tilted(), kind.gyration));
+      scene.geometry.camera_cell = scene.add_box({-8, -3, -5}, {8, 3, 5}, scene.add_crystal(kind.n, tilted(),
+          kind.gyration));
       const Stage stage = stage_of(scene);
       for (int i = 0; i < 10; ++i) {
-        const Seen seen = bench.look(stage, {{-7, 0.3, 0.1}, test::any_direction(i), test::any_direction(i + 50), coherence ? 20 : 1e-6})[0];
+        const Seen seen = bench.look(stage, {{-7, 0.3, 0.1}, test::any_direction(i), test::any_direction(i + 50),
+            coherence ? 20 : 1e-6})[0];
         bench.hold_seen(fmt::format("{}{}: what is left", kind.name, coherence ? ", coherent" : ""),
-                        "R + T = 1: 8 eps a face, 40 faces to the cut-off", 320 * bench.epsilon(), seen.s[0] + seen.cut_off, 1, 1);
+                        "R + T = 1: 8 eps a face, 40 faces to the cut-off", 320 * bench.epsilon(),
+                            seen.s[0] + seen.cut_off, 1, 1);
       }
     }
 }
@@ -194,7 +205,8 @@ void trapped_pairs(Bench& bench) {
     const Stage stage = stage_of(scene);
     for (const Vec3& direction : along) {
       const Seen seen = bench.look(stage, {{0.1, 0.2, 0.3}, direction, {1, 0, 0}, 1})[0];
-      bench.hold_seen(active ? "1000 faces, active: what is left" : "1000 faces: what is left", "4 eps a face", 4000 * bench.epsilon(),
+      bench.hold_seen(active ? "1000 faces, active: what is left" : "1000 faces: what is left", "4 eps a face",
+          4000 * bench.epsilon(),
                       seen.s[0] + seen.cut_off, 1, 1);
     }
   }
@@ -225,14 +237,17 @@ void wavelengths(Bench& bench) {
   for (const std::size_t i : {0, 1, 7, 8, 200, 399, 400}) {
     const Seen alone = bench.look(stage({all[i]}), look)[0];
     for (int s = 0; s < 4; ++s)
-      bench.hold_seen("one of 401 against itself alone", "the same arithmetic, in another lane", bench.epsilon(), together[i].s[s], alone.s[s], 2);
+      bench.hold_seen("one of 401 against itself alone", "the same arithmetic, in another lane", bench.epsilon(),
+          together[i].s[s], alone.s[s], 2);
   }
   // straight down: Malus, each wavelength with its own index and rotation
   const auto straight = bench.look(stage(all), {{0, 0, 30}, {0, 0, -1}});
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Real um2 = Real(all[i]) * all[i] * 1e-6L, n = 1.5046L + 0.0042L / um2, turn = 7.19L * 540 / um2 * 8 * pi_real / 180;
+    const Real um2 = Real(all[i]) * all[i] * 1e-6L, n = 1.5046L + 0.0042L / um2,
+        turn = 7.19L * 540 / um2 * 8 * pi_real / 180;
     const double mean = static_cast<double>(plate_between(1, n, 1).mean());
-    const double bound = bench.epsilon() * 24 + 0x1p-48 * static_cast<double>(turn) + 0x1p-50 * static_cast<double>(turn);
+    const double bound = bench.epsilon() * 24 + 0x1p-48 * static_cast<double>(turn) + 0x1p-50
+        * static_cast<double>(turn);
     bench.hold_seen("S1 of 401, straight", "24 eps; turns as two floats", bound, straight[i].s[1],
                     mean * static_cast<double>(std::cos(2 * turn)), 1);
     bench.hold_seen("S2 of 401, straight", "24 eps; turns as two floats", bound, straight[i].s[2],

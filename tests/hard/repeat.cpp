@@ -31,7 +31,8 @@ constexpr int width = 24, height = 9;
 
 // The digest that another process with that many threads has of its picture.
 std::string digest_elsewhere(const Way& way, int threads) {
-  const std::string command = fmt::format("POCL_MAX_PTHREAD_COUNT={} /proc/{}/exe --digest {}", threads, getpid(), way.column());
+  const std::string command = fmt::format("POCL_MAX_PTHREAD_COUNT={} /proc/{}/exe --digest {}", threads, getpid(),
+      way.column());
   std::FILE* pipe = popen(command.c_str(), "r");
   if (!pipe) return "no process";
   char text[64] = "";
@@ -44,7 +45,8 @@ void repeat(Bench& bench) {
   const auto hold = [&](const char* what, const std::string& other) {
     bench.hold(what, "the same bits", 0, other == first ? 0 : 1);
   };
-  for (const double seconds : {0.03, 1e-5, 1e-3, 5.0}) hold("again, in tiles of any size", picture_digest(bench.way(), seconds));
+  for (const double seconds : {0.03, 1e-5, 1e-3, 5.0}) hold("again, in tiles of any size", picture_digest(bench.way(),
+      seconds));
   for (const int threads : {1, 2, 3}) hold("by 1, 2 and 3 threads", digest_elsewhere(bench.way(), threads));
 }
 

@@ -1,4 +1,5 @@
-// Solids that are hard to hit right: edges, vertices, faces that touch or nearly do, slivers and needles, scenes of any size.
+// Solids that are hard to hit right: edges, vertices, faces that touch or nearly do, slivers and needles, scenes of
+// any size.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +25,8 @@ Stage lit_stage(const std::string& text, double sky, const Vec3& camera = {0, 0,
 
 // In a world of radiance 1 nothing can be seen: what comes and what was cut off make 1, unpolarized. 8 eps a face.
 void hold_furnace(Bench& bench, const std::string& what, const Seen& seen, int faces) {
-  bench.hold_seen(what + ": S0 + cut-off", "R + T = 1: 8 eps a face", 8 * faces * bench.epsilon(), seen.s[0] + seen.cut_off, 1, 2);
+  bench.hold_seen(what + ": S0 + cut-off", "R + T = 1: 8 eps a face", 8 * faces * bench.epsilon(),
+      seen.s[0] + seen.cut_off, 1, 2);
   const double polarized = std::hypot(seen.s[1], seen.s[2], seen.s[3]);
   bench.hold_seen(what + ": polarization", "none but what was cut off; 8 eps a face", 8 * faces * bench.epsilon(),
                   std::max(0.0, polarized - seen.cut_off), 0, 2);
@@ -34,11 +36,13 @@ void hold_furnace(Bench& bench, const std::string& what, const Seen& seen, int f
 void edges(Bench& bench) {
   Stage furnace = lit_stage("box { -1, 1" + std::string(glass) + "}", 1);
   Stage floor = lit_stage("box { -1, 1" + std::string(glass) +
-                          "} polygon { 5, <-9,-3,-9>, <9,-3,-9>, <9,-3,9>, <-9,-3,9>, <-9,-3,-9> luminous { spectrum { e } } }", 0.25);
+                          "} polygon { 5, <-9,-3,-9>, <9,-3,-9>, <9,-3,9>, <-9,-3,9>, <-9,-3,-9> "
+                          "luminous { spectrum { e } } }", 0.25);
   furnace.scene.settings.adc_bailout = floor.scene.settings.adc_bailout = 1e-5;
   const Look looks[] = {{{1, 1, 10}, {0, 0, -1}},        {{1, 0.3, 10}, {0, 0, -1}},     {{10, 10, 10}, {-1, -1, -1}},
                         {{10, 10, 0.3}, {-1, -1, 0}},    {{11, 9, 0.5}, {-1, -0.8, 0}},  {{1, -1, 7}, {0, 0, -1}},
-                        {{-10, 10, 10}, {1, -1, -1}},    {{1 + 8, 1 + 4, 1 + 2}, {-4, -2, -1}}, {{5, 1, 0.3}, {-1, 0, 0}},
+                        {{-10, 10, 10}, {1, -1, -1}},    {{1 + 8, 1 + 4, 1 + 2}, {-4, -2, -1}}, {{5, 1, 0.3}, {-1, 0,
+                            0}},
                         {{1 + 3, 5, -1 + 3}, {-0.75, -1, -0.75}}};
   for (const Look& look : looks) {
     hold_furnace(bench, "bright world", bench.look(furnace, look)[0], 40);
@@ -47,11 +51,13 @@ void edges(Bench& bench) {
     const Vec3 d = test::unit(look.along), a = test::unit(test::cross(d, {0.3, 0.5, 0.8})), b = test::cross(d, a);
     for (int i = 0; i < 16; ++i) {
       const double turn = i * test::pi / 8 + 0.1, aside = 1e-5;
-      const Vec3 from = test::plus(look.from, test::plus(test::scaled(aside * std::cos(turn), a), test::scaled(aside * std::sin(turn), b)));
+      const Vec3 from = test::plus(look.from, test::plus(test::scaled(aside * std::cos(turn), a),
+          test::scaled(aside * std::sin(turn), b)));
       const Seen beside = bench.look(floor, {from, look.along})[0];
       nearest = std::min(nearest, std::fabs(beside.s[0] - seen.s[0]) - 2 * beside.cut_off);
     }
-    bench.hold("S0 against beside the edge", "one of the sides: 40 faces of 8 eps, what both cut off", 320 * bench.epsilon() + 0x1p-23, nearest);
+    bench.hold("S0 against beside the edge", "one of the sides: 40 faces of 8 eps, what both cut off",
+        320 * bench.epsilon() + 0x1p-23, nearest);
   }
 }
 
@@ -60,16 +66,19 @@ Stage stack(int count, double thick_mm, double gap_mm, const std::string& contac
   std::string text;
   for (int i = 0; i < count; ++i) {
     const double low = i * (thick_mm + gap_mm);
-    text += fmt::format("box {{ <-300, {:.17g}, -300>, <300, {:.17g}, 300> {} {} }}\n", low, low + thick_mm, glass, contact);
+    text += fmt::format("box {{ <-300, {:.17g}, -300>, <300, {:.17g}, 300> {} {} }}\n", low, low + thick_mm, glass,
+        contact);
   }
-  text += "polygon { 5, <-900,-5,-900>, <900,-5,-900>, <900,-5,900>, <-900,-5,900>, <-900,-5,-900> luminous { spectrum { e } } }";
+  text += "polygon { 5, <-900,-5,-900>, <900,-5,-900>, <900,-5,900>, <-900,-5,900>, <-900,-5,-900> "
+          "luminous { spectrum { e } } }";
   return lit_stage(text, 0);
 }
 
 // Between what is seen and what was cut off lies the closed form.
 void hold_between(Bench& bench, const std::string& what, const Seen& seen, Real exact, double bound) {
   const double least = seen.s[0], most = seen.s[0] + seen.cut_off, expected = static_cast<double>(exact);
-  bench.hold_seen(what, "T lies within S0 and S0 + cut-off, to 12 eps a plate", bound, std::clamp(expected, least, most), expected, 1);
+  bench.hold_seen(what, "T lies within S0 and S0 + cut-off, to 12 eps a plate", bound, std::clamp(expected, least,
+      most), expected, 1);
 }
 
 void hold_stack(Bench& bench, const Stage& stage, int plates, double height, const std::string& what) {
@@ -107,8 +116,10 @@ void nearly_touching(Bench& bench) {
 void light_nearly_touching(Bench& bench) {
   for (const double gap_mm : {1e-9, 1e-7, 1e-5})
     for (const double thick_mm : {1.0, 0.7}) {
-      Stage stage = lit_stage(fmt::format("box {{ <-300, 0, -300>, <300, {:.17g}, 300> {} }} polygon {{ 5, <-900,{:.17g},-900>, <900,{:.17g},-900>, "
-                                          "<900,{:.17g},900>, <-900,{:.17g},900>, <-900,{:.17g},-900> luminous {{ spectrum {{ e }} }} }}",
+      Stage stage =
+          lit_stage(fmt::format("box {{ <-300, 0, -300>, <300, {:.17g}, 300> {} }} polygon {{ 5, "
+                                "<-900,{:.17g},-900>, <900,{:.17g},-900>, <900,{:.17g},900>, <-900,{:.17g},900>, "
+                                "<-900,{:.17g},-900> luminous {{ spectrum {{ e }} }} }}",
                                           thick_mm, glass, -gap_mm, -gap_mm, -gap_mm, -gap_mm, -gap_mm), 0);
       stage.scene.settings.adc_bailout = 1e-7;
       hold_stack(bench, stage, 1, thick_mm, fmt::format("light {:g} mm behind", gap_mm));
@@ -124,8 +135,10 @@ void slivers(Bench& bench) {
   Stage wedge = lit_stage("prism { -10, 10, 4, <-10, 0>, <10, 0>, <10, 2e-5>, <-10, 0>" + std::string(glass) + "}", 1);
   wedge.scene.settings.adc_bailout = 1e-5;
   for (int i = 0; i < 12; ++i) {
-    const Vec3 to{-9.9 + 1.7 * i, 0.5, 0}, along = test::unit({0.2 * std::sin(i), 0.1 * std::cos(2 * i), i % 2 ? 1.0 : -1.0});
-    hold_furnace(bench, "wedge of 1e-6 rad", bench.look(wedge, {test::plus(to, test::scaled(-20, along)), along})[0], 60);
+    const Vec3 to{-9.9 + 1.7 * i, 0.5, 0}, along = test::unit({0.2 * std::sin(i), 0.1 * std::cos(2 * i),
+        i % 2 ? 1.0 : -1.0});
+    hold_furnace(bench, "wedge of 1e-6 rad", bench.look(wedge, {test::plus(to, test::scaled(-20, along)), along})[0],
+        60);
   }
 }
 
@@ -138,7 +151,8 @@ void furnace(Bench& bench, const std::string& what, Stage stage, double ball_mm,
 void needles(Bench& bench) {
   const std::string box = fmt::format("box {{ <-5, -5e-5, -5e-5>, <5, 5e-5, 5e-5> {} }}", glass);
   furnace(bench, "1e-4 x 10 mm, from its side", lit_stage(box, 1), 3e-5, 24, 60);
-  const std::string crystal = "prism { -5, 5, 4, <-5e-5, -3e-5>, <5e-5, -3e-5>, <0, 6e-5>, <-5e-5, -3e-5>" + std::string(glass) + "}";
+  const std::string crystal = "prism { -5, 5, 4, <-5e-5, -3e-5>, <5e-5, -3e-5>, <0, 6e-5>, <-5e-5, -3e-5>"
+      + std::string(glass) + "}";
   furnace(bench, "three edges", lit_stage(crystal, 1), 2e-5, 24, 60);
   Stage end = lit_stage(box, 1);
   end.scene.settings.adc_bailout = 1e-4;
@@ -150,16 +164,21 @@ void many_faces(Bench& bench) {
   std::string points;
   const int sides = 254;
   for (int i = 0; i <= sides; ++i)
-    points += fmt::format(", <{:.17g}, {:.17g}>", 2 * std::cos(2 * test::pi * (i % sides) / sides), 2 * std::sin(2 * test::pi * (i % sides) / sides));
-  furnace(bench, "prism of 256 faces", lit_stage(fmt::format("prism {{ -1, 1, {} {} {} }}", sides + 1, points, glass), 1), 1.5, 48, 200);
+    points += fmt::format(", <{:.17g}, {:.17g}>", 2 * std::cos(2 * test::pi * (i % sides) / sides),
+        2 * std::sin(2 * test::pi * (i % sides) / sides));
+  furnace(bench, "prism of 256 faces", lit_stage(fmt::format("prism {{ -1, 1, {} {} {} }}", sides + 1, points, glass),
+      1), 1.5, 48, 200);
 }
 
 // The same scene, large and small: light does not know how large it is.
 void sizes(Bench& bench) {
   const auto scene = [](double size) {
-    const auto v = [&](double x, double y, double z) { return fmt::format("<{:.17g}, {:.17g}, {:.17g}>", size * x, size * y, size * z); };
-    return fmt::format("box {{ {}, {} {} }} box {{ {}, {} {} }} polygon {{ 5, {}, {}, {}, {}, {} luminous {{ spectrum {{ e }} }} }}",
-                       v(-1, 0, -1), v(1, 2, 1), glass, v(1, 0.25, -0.5), v(2, 1.5, 0.5), glass, v(-4, 0, -4), v(4, 0, -4), v(4, 0, 4),
+    const auto v = [&](double x, double y, double z) { return fmt::format("<{:.17g}, {:.17g}, {:.17g}>", size * x,
+        size * y, size * z); };
+    return fmt::format("box {{ {}, {} {} }} box {{ {}, {} {} }} "
+                       "polygon {{ 5, {}, {}, {}, {}, {} luminous {{ spectrum {{ e }} }} }}",
+                       v(-1, 0, -1), v(1, 2, 1), glass, v(1, 0.25, -0.5), v(2, 1.5, 0.5), glass, v(-4, 0, -4), v(4, 0,
+                           -4), v(4, 0, 4),
                        v(-4, 0, 4), v(-4, 0, -4));
   };
   const Look from{{5, 6, 8}, {-4.7, -5.3, -8.1}, {1, 0, 0}, 0.21};
@@ -180,7 +199,8 @@ void sizes(Bench& bench) {
     for (std::size_t i = 0; i < seen.size(); ++i)
       bench.hold_seen(fmt::format("{:g} mm against 1 mm, S0", size), "100 faces of 8 eps, but for what both cut off",
                       800 * bench.epsilon(),
-                      std::max(0.0, std::fabs(seen[i].s[0] - expected[i].s[0]) - expected[i].cut_off - seen[i].cut_off), 0, 1);
+                      std::max(0.0, std::fabs(seen[i].s[0] - expected[i].s[0]) - expected[i].cut_off
+                          - seen[i].cut_off), 0, 1);
   }
 }
 
@@ -194,7 +214,8 @@ void in_plane(Bench& bench) {
         hold_furnace(bench, "bright world", bench.look(stage, {{20, y, 0.3}, {-1, up, aside}, {0, 0, 1}})[0], 60);
 }
 
-// A polarizer whose axis lies along the ray passes what it passes beside that: half of unpolarized light, in some state.
+// A polarizer whose axis lies along the ray passes what it passes beside that: half of unpolarized light, in some
+// state.
 void axis_along(Bench& bench) {
   for (const auto kind : {Polarizer::Kind::ideal, Polarizer::Kind::ideal_absorbing})
     for (const double tilt : {1e-9, 1e-7, 1e-5, 1e-3}) {
@@ -204,14 +225,17 @@ void axis_along(Bench& bench) {
       scene.add_sheet({0, 0, 0}, {0, 0, 1}, 10, 10, {}, scene.add_polarizer(kind, {1, 0, 0}, {0, 0, 1}));
       scene.scene.sky = {1};
       const Seen seen = bench.look(stage_of(scene), {{9, 0, 4 * tilt}, {-1, 0, -tilt}, {0, 1, 0}})[0];
-      bench.hold_seen("S0 of an unpolarized sky", "half of it is passed: 12 eps", 12 * bench.epsilon(), seen.s[0], 0.5, 1);
-      bench.hold_seen("its polarization", "complete: 12 eps", 12 * bench.epsilon(), std::hypot(seen.s[1], seen.s[2], seen.s[3]), 0.5, 1);
+      bench.hold_seen("S0 of an unpolarized sky", "half of it is passed: 12 eps", 12 * bench.epsilon(), seen.s[0],
+          0.5, 1);
+      bench.hold_seen("its polarization", "complete: 12 eps", 12 * bench.epsilon(), std::hypot(seen.s[1], seen.s[2],
+          seen.s[3]), 0.5, 1);
     }
   // the light's own polarizer, and the analyzer of the camera, exactly along the ray
   for (const auto kind : {Polarizer::Kind::ideal, Polarizer::Kind::ideal_absorbing}) {
     TestScene scene;
     scene.add_box({-1, 19, -1}, {1, 21, 1}, scene.add_medium(n_glass));
-    scene.add_sheet({0, 0, -5}, {0, 0, 1}, 10, 10, scene.add_emission(1, scene.add_polarizer(kind, {0, 0, 1}, {1, 0, 0})), {});
+    scene.add_sheet({0, 0, -5}, {0, 0, 1}, 10, 10, scene.add_emission(1, scene.add_polarizer(kind, {0, 0, 1}, {1, 0,
+        0})), {});
     const Seen seen = bench.look(stage_of(scene), {{0.5, 0.3, 5}, {0, 0, -1}})[0];
     bench.hold_seen("S0 of a light", "half of it is passed: 12 eps", 12 * bench.epsilon(), seen.s[0], 0.5, 1);
   }
@@ -232,7 +256,8 @@ void lights_all_round(Bench& bench) {
   scene.geometry.camera_cell = cell;
   const Stage stage = stage_of(scene);
   for (int i = 0; i < 24; ++i)
-    hold_furnace(bench, "from inside", bench.look(stage, {{0.3, -0.4, 0.7}, test::any_direction(i), test::any_direction(i + 99)})[0], 100);
+    hold_furnace(bench, "from inside", bench.look(stage, {{0.3, -0.4, 0.7}, test::any_direction(i),
+        test::any_direction(i + 99)})[0], 100);
 }
 
 // Solids in solids in solids, every second one of another glass: N shells let (1 - R)/(1 + (2 N - 1) R) through.

@@ -1,6 +1,6 @@
-// Sweeps across singular places, in random directions: nothing jumps there. In double each step is cut into eight; none of the
-// eight may take more than half of a continuous change (a square root's first eighth takes 0.36). Every way stays near double, by
-// what rounding its input changes in double.
+// Sweeps across singular places, in random directions: nothing jumps there. In double each step is cut into eight;
+// none of the eight may take more than half of a continuous change (a square root's first eighth takes 0.36). Every
+// way stays near double, by what rounding its input changes in double.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,10 +57,11 @@ double apart(const Seen& a, const Seen& b) {
 }
 
 // What rounding the input changes there.
-double moved(const Reference& r, std::size_t i) { return std::max(apart(r.at[i], r.lower[i]), apart(r.at[i], r.upper[i])); }
+double moved(const Reference& r, std::size_t i) { return std::max(apart(r.at[i], r.lower[i]), apart(r.at[i],
+    r.upper[i])); }
 
-// What the largest eighth of a step changes beyond half of the step's change. Where the step has a bend in it, its largest eighth is
-// cut again: what stays in one piece each time is a jump.
+// What the largest eighth of a step changes beyond half of the step's change. Where the step has a bend in it, its
+// largest eighth is cut again: what stays in one piece each time is a jump.
 double jump_in(const Sweep& sweep, unsigned seed, double from, double to, int times) {
   std::vector<Seen> fine;
   const auto place = [&](int k) { return from + k / 8.0 * (to - from); };
@@ -88,7 +89,8 @@ Reference reference_of(const Sweep& sweep, unsigned seed, double epsilon) {
   }
   for (std::size_t i = 0; i + 1 < sweep.points.size(); ++i) {
     const double blur = moved(out, i) + moved(out, i + 1);
-    out.largest_jump = std::max(out.largest_jump, jump_in(sweep, seed, sweep.points[i], sweep.points[i + 1], 3) - 2 * blur);
+    out.largest_jump = std::max(out.largest_jump, jump_in(sweep, seed, sweep.points[i], sweep.points[i + 1],
+        3) - 2 * blur);
   }
   return out;
 }
@@ -100,7 +102,8 @@ void run(Bench& bench, const Sweep& sweep) {
     if (!known.count(key)) known[key] = reference_of(sweep, seed, bench.epsilon());
     const Reference& reference = known[key];
     if (bench.way().real_double && bench.way().lanes == 1 && !bench.way().specialised)
-      bench.hold("jump of an eighth of a step", "half of the step's change, roundings of the input; 1e-13", 1e-13, std::max(0.0, reference.largest_jump));
+      bench.hold("jump of an eighth of a step", "half of the step's change, roundings of the input; 1e-13", 1e-13,
+          std::max(0.0, reference.largest_jump));
     for (std::size_t i = 0; i < sweep.points.size(); ++i) {
       const View view = sweep.at(sweep.points[i], seed);
       const Seen seen = bench.look(view.stage, view.look)[0];
@@ -121,7 +124,8 @@ OpticFrame turned(const OpticFrame& frame, const Vec3& about, double angle) {
   for (int i = 0; i < 3; ++i) {
     const double along = test::dot(frame[i], about);
     out[i] = test::plus(test::scaled(along * (1 - std::cos(angle)), about),
-                        test::plus(test::scaled(std::cos(angle), frame[i]), test::scaled(std::sin(angle), test::cross(about, frame[i]))));
+                        test::plus(test::scaled(std::cos(angle), frame[i]), test::scaled(std::sin(angle),
+                            test::cross(about, frame[i]))));
   }
   return out;
 }
@@ -130,7 +134,8 @@ OpticFrame turned(const OpticFrame& frame, const Vec3& about, double angle) {
 TestScene plate(double thick_mm, const std::function<int(TestScene&)>& add, double azimuth = 0.4) {
   TestScene scene;
   scene.scene.settings.adc_bailout = 1e-9;
-  const int polarizer = scene.add_polarizer(Polarizer::Kind::ideal, {std::cos(azimuth), std::sin(azimuth), 0}, {0, 0, 1});
+  const int polarizer = scene.add_polarizer(Polarizer::Kind::ideal, {std::cos(azimuth), std::sin(azimuth), 0}, {0, 0,
+      1});
   scene.add_sheet({0, 0, -50}, {0, 0, 1}, 400, 400, scene.add_emission(2, polarizer), {});
   scene.add_box({-300, -300, 0}, {300, 300, thick_mm}, add(scene));
   return scene;
@@ -139,10 +144,12 @@ Look towards(const Vec3& direction, double pixel_mm) {
   return {test::plus({0, 0, 0.5}, test::scaled(-60, test::unit(direction))), direction, {1, 0.1, 0}, pixel_mm};
 }
 
-const std::array<double, 3> calcite{1.65835, 1.65835, 1.48640}, quartz{1.54425, 1.54425, 1.55336}, aragonite{1.530, 1.681, 1.6855};
+const std::array<double, 3> calcite{1.65835, 1.65835, 1.48640}, quartz{1.54425, 1.54425, 1.55336}, aragonite{1.530,
+    1.681, 1.6855};
 
 // Phases of plates: 4 eps of 2 pi (n1 - n0) d/lambda.
-double plate_floor(double difference, double thick_mm) { return 60 + 4 * 2 * test::pi * difference * thick_mm / 580e-6; }
+double plate_floor(double difference, double thick_mm) { return 60 + 4 * 2 * test::pi * difference * thick_mm
+    / 580e-6; }
 const char* const plate_reason = "roundings of the input, in double; 60 eps; 4 eps of the phase between the waves";
 
 Sweep normal_incidence() {
@@ -160,10 +167,12 @@ Sweep critical(bool crystal) {
   return {crystal ? "critical angle of calcite" : "critical angle of glass",
           [=](double t, unsigned seed) {
             TestScene scene;
-            const OpticFrame frame{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}};   // axis across the plane of incidence
+            // axis across the plane of incidence
+            const OpticFrame frame{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}};
             const int medium = crystal ? scene.add_crystal(calcite, frame) : scene.add_medium(1.52);
             const int cell = scene.add_box({-50, -50, -10}, {50, 50, 10}, medium);
-            scene.cover(cell, test::Side::z_high, scene.add_sheet({0, 0, 10}, {0, 0, 1}, 50, 50, scene.add_emission(1), {}));
+            scene.cover(cell, test::Side::z_high, scene.add_sheet({0, 0, 10}, {0, 0, 1}, 50, 50,
+                scene.add_emission(1), {}));
             scene.geometry.camera_cell = cell;
             scene.scene.settings.max_trace_level = 1;
             // the ordinary wave's; the extraordinary one's
@@ -177,10 +186,12 @@ Sweep optic_axis() {
   return {"optic axis",
           [](double t, unsigned seed) {
             const double g33 = test::radians(21.724) * quartz[0] * 580e-6 / test::pi;
-            const std::vector<double> gyration = seed ? std::vector<double>{-0.449 * g33, -0.449 * g33, g33, 0, 0, 0} : std::vector<double>{};
+            const std::vector<double> gyration = seed ? std::vector<double>{-0.449 * g33, -0.449 * g33, g33, 0, 0,
+                0} : std::vector<double>{};
             const double azimuth = 0.7 + seed;
             return View{stage_of(plate(1, [&](TestScene& s) {
-                          return s.add_crystal(quartz, OpticFrame{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, gyration);
+                          return s.add_crystal(quartz, OpticFrame{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}},
+                              gyration);
                         })),
                         towards({t * std::cos(azimuth), t * std::sin(azimuth), -1}, 10)};
           },
@@ -190,11 +201,15 @@ Sweep optic_axis() {
 Sweep binormal() {
   return {"binormal",
           [](double t, unsigned seed) {
-            const double v = std::acos(aragonite[0] / aragonite[1] * std::sqrt((aragonite[2] * aragonite[2] - aragonite[1] * aragonite[1]) /
-                                                                               (aragonite[2] * aragonite[2] - aragonite[0] * aragonite[0])));
-            const OpticFrame frame{Vec3{std::cos(v), 0, std::sin(v)}, Vec3{0, 1, 0}, Vec3{-std::sin(v), 0, std::cos(v)}};
+            const double v = std::acos(aragonite[0] / aragonite[1] * std::sqrt((aragonite[2] * aragonite[2]
+                - aragonite[1] * aragonite[1]) /
+                                                                               (aragonite[2] * aragonite[2]
+                                                                                   - aragonite[0] * aragonite[0])));
+            const OpticFrame frame{Vec3{std::cos(v), 0, std::sin(v)}, Vec3{0, 1, 0}, Vec3{-std::sin(v), 0,
+                std::cos(v)}};
             const Vec3 about{std::cos(0.8 + 2 * seed), std::sin(0.8 + 2 * seed), 0};
-            return View{stage_of(plate(0.2, [&](TestScene& s) { return s.add_crystal(aragonite, turned(frame, about, t)); })),
+            return View{stage_of(plate(0.2, [&](TestScene& s) { return s.add_crystal(aragonite, turned(frame, about,
+                t)); })),
                         towards({0, 0, -1}, 10)};
           },
           around_zero(1e-2, 1e-9), [](double) { return 2; }, plate_floor(0.155, 0.2), plate_reason};
@@ -205,7 +220,8 @@ Sweep shares() {
   for (double mm = 0.4; mm < 16; mm *= 1.3) pixels.push_back(mm);
   return {"shares of coherence",
           [](double t, unsigned seed) {
-            return View{stage_of(plate(5.00013 + 0.01 * seed, [&](TestScene& s) { return s.add_crystal(calcite, random_frame(seed + 5)); })),
+            return View{stage_of(plate(5.00013 + 0.01 * seed, [&](TestScene& s) { return s.add_crystal(calcite,
+                random_frame(seed + 5)); })),
                         towards({0, 0, -1}, t)};
           },
           pixels, [](double t) { return 8 * t; }, plate_floor(0.17, 5), plate_reason};
@@ -219,7 +235,8 @@ Sweep bins() {
             TestScene scene({580, 610});
             scene.scene.weight_nm = {t, t};
             scene.scene.settings.adc_bailout = 1e-9;
-            const int polarizer = scene.add_polarizer(Polarizer::Kind::ideal, {std::cos(0.4), std::sin(0.4), 0}, {0, 0, 1});
+            const int polarizer = scene.add_polarizer(Polarizer::Kind::ideal, {std::cos(0.4), std::sin(0.4), 0}, {0,
+                0, 1});
             scene.add_sheet({0, 0, -50}, {0, 0, 1}, 400, 400, scene.add_emission(2, polarizer), {});
             scene.add_box({-300, -300, 0}, {300, 300, 0.3}, scene.add_crystal(calcite, random_frame(seed + 21)));
             return View{stage_of(scene), towards({0.1, 0.2, -1}, 20)};
@@ -233,19 +250,22 @@ Sweep matching() {
             TestScene scene;
             const bool crystal = seed == 1;
             const auto medium = [&](double n) {
-              return crystal ? scene.add_crystal({n, n, n + 0.01}, OpticFrame{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}}) : scene.add_medium(n);
+              return crystal ? scene.add_crystal({n, n, n + 0.01}, OpticFrame{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0,
+                  1, 0}}) : scene.add_medium(n);
             };
             const int one = scene.add_box({-50, -50, -10}, {50, 50, 0}, scene.add_medium(1.52));
             const int two = scene.add_box({-50, -50, 0}, {50, 50, 10}, medium(1.52 + t));
             scene.join(Patch::Behind::cell_contact, one, test::Side::z_high, two, test::Side::z_low);
             // what comes back leaves by the side
-            scene.cover(one, test::Side::x_high, scene.add_disc({50, 0, -5}, {1, 0, 0}, 80, 0, scene.add_emission(1), {}));
+            scene.cover(one, test::Side::x_high, scene.add_disc({50, 0, -5}, {1, 0, 0}, 80, 0, scene.add_emission(1),
+                {}));
             scene.geometry.camera_cell = one;
             scene.scene.settings.max_trace_level = 2;
             scene.scene.settings.adc_bailout = 0;
             return View{stage_of(scene), {{0, 0, -0.05}, {std::sin(1.55), 0, std::cos(1.55)}, {0, 1, 0}}};
           },
-          around_zero(1e-3, 1e-10), [](double t) { return 8 + 8 * std::fabs(t); }, 40, "8 eps of the index, in double; 40 eps"};
+          around_zero(1e-3, 1e-10), [](double t) { return 8 + 8 * std::fabs(t); }, 40,
+              "8 eps of the index, in double; 40 eps"};
 }
 
 Sweep birefringence() {
@@ -254,12 +274,14 @@ Sweep birefringence() {
             const std::array<double, 3> n{1.6, seed ? 1.6 + t / 3 : 1.6, 1.6 + t};
             return View{stage_of(plate(0.5, [&](TestScene& s) {
                           const int medium = s.add_crystal(n, random_frame(seed + 9));
-                          s.scene.media[medium].symmetry = seed ? Medium::Symmetry::biaxial : Medium::Symmetry::uniaxial;
+                          s.scene.media[medium].symmetry = seed ? Medium::Symmetry::biaxial
+                              : Medium::Symmetry::uniaxial;
                           return medium;
                         })),
                         towards({0.3, -0.2, -1}, 10)};
           },
-          around_zero(1e-3, 1e-11), [](double t) { return 8 + 8 * std::fabs(t); }, plate_floor(1e-3, 0.5), plate_reason};
+          around_zero(1e-3, 1e-11), [](double t) { return 8 + 8 * std::fabs(t); }, plate_floor(1e-3, 0.5),
+              plate_reason};
 }
 
 Sweep grazing() {
@@ -270,10 +292,12 @@ Sweep grazing() {
             TestScene scene;
             const int medium = seed ? scene.add_crystal(calcite, random_frame(17)) : scene.add_medium(1.52);
             const int cell = scene.add_box({-5000, -5000, -5e-4}, {5000, 5000, 5e-4}, medium);
-            scene.cover(cell, test::Side::z_low, scene.add_sheet({0, 0, -5e-4}, {0, 0, 1}, 5000, 5000, scene.add_emission(1), {}));
+            scene.cover(cell, test::Side::z_low, scene.add_sheet({0, 0, -5e-4}, {0, 0, 1}, 5000, 5000,
+                scene.add_emission(1), {}));
             scene.scene.settings.max_trace_level = 1;
             scene.scene.sky = {1};
-            return View{stage_of(scene), {{-1000 * std::cos(t), 0, 5e-4 + 1000 * std::sin(t)}, {std::cos(t), 0, -std::sin(t)}, {0, 1, 0}}};
+            return View{stage_of(scene), {{-1000 * std::cos(t), 0, 5e-4 + 1000 * std::sin(t)}, {std::cos(t), 0,
+                -std::sin(t)}, {0, 1, 0}}};
           },
           angles, [](double t) { return 4 * t; }, 40, "4 eps of the angle, in double; 40 eps"};
 }
@@ -286,7 +310,8 @@ std::function<void(Bench&)> running(const Sweep& sweep) {
 
 std::vector<Case> sweep_cases() {
   std::vector<Case> cases;
-  for (const Sweep& sweep : {normal_incidence(), critical(false), critical(true), optic_axis(), binormal(), shares(), bins(), matching(),
+  for (const Sweep& sweep : {normal_incidence(), critical(false), critical(true), optic_axis(), binormal(), shares(),
+      bins(), matching(),
                              birefringence(), grazing()})
     cases.push_back({"sweeps", "across " + sweep.name, running(sweep)});
   return cases;

@@ -51,14 +51,22 @@ void Table::hold(int way, const std::string& name, const std::string& quantity, 
 }
 
 std::string Table::text() const {
-  std::string out = fmt::format("{:<26} {:<34} {:>7} {:>7}  {:>36}  {:>36}\n", "", "", "bound", "bound",
-                                "error in float:    1 lane    8 lanes", "error in double:   1 lane    8 lanes");
-  out += fmt::format("{:<26} {:<34} {:>7} {:>7}  {:>8} {:>8} {:>8} {:>8}   {:>8} {:>8} {:>8} {:>8}  {}\n", "case",
-                     "quantity", "float", "double", "generic", "special", "generic", "special", "generic", "special",
-                     "generic", "special", "where the bound comes from");
+  std::size_t name_width = 4, quantity_width = 8;
+  for (const Row& row : rows_) {
+    name_width = std::max(name_width, row.name.size());
+    quantity_width = std::max(quantity_width, row.quantity.size());
+  }
+  std::string out = fmt::format("{:{}} {:{}} {:>7} {:>7} {:>35} {:>37}\n", "", name_width, "", quantity_width,
+      "bound", "bound",
+                                "error in float:  1 lane     8 lanes", "error in double:  1 lane     8 lanes");
+  out += fmt::format("{:{}} {:{}} {:>7} {:>7} ", "case", name_width, "quantity", quantity_width, "float", "double");
+  for (int way = 0; way < ways; ++way)
+    out += fmt::format("{:>{}}", way % 2 ? "special" : "generic", way == ways / 2 ? 11 : 9);
+  out += "  where the bound comes from\n";
   std::string last;
   for (const Row& row : rows_) {
-    out += fmt::format("{:<26} {:<34} {:>7} {:>7} ", row.name == last ? "" : row.name, row.quantity,
+    out += fmt::format("{:{}} {:{}} {:>7} {:>7} ", row.name == last ? "" : row.name, name_width, row.quantity,
+        quantity_width,
                        number(bound_of(row, 0)), number(bound_of(row, ways / 2)));
     for (int way = 0; way < ways; ++way)
       out += fmt::format("{:>{}}", row.bound[way] < 0 ? "-" : number(row.error[way]), way == ways / 2 ? 11 : 9);
@@ -80,7 +88,8 @@ std::size_t Table::cells() const {
 }
 
 std::size_t Table::broken() const {
-  return static_cast<std::size_t>(std::count_if(rows_.begin(), rows_.end(), [](const Row& row) { return !row.kept(); }));
+  return static_cast<std::size_t>(std::count_if(rows_.begin(), rows_.end(),
+      [](const Row& row) { return !row.kept(); }));
 }
 
 double Table::largest_share() const {
