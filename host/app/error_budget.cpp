@@ -92,7 +92,7 @@ class Budget {
     const Settings& s = loaded_.scene.settings;
     Variant finer;
     finer.adc_bailout = std::max(s.adc_bailout, 1e-12) / 10;
-    finer.max_trace_level = std::min(2 * s.max_trace_level, 256);
+    finer.max_trace_level = std::min(2 * s.max_trace_level, 4096);
     line.detail = bound;
     if (stopped()) return line;
     const SpotPicture picture = check(finer);

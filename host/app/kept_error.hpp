@@ -17,7 +17,7 @@ struct ChosenSettings {
 
 // error: RMS of Stokes vectors and of XYZ, relative to the mean radiance, against the picture converged in everything. Changes
 // the scene's settings; reads the scene anew where it needs more wavelengths, unless the command names them. Never takes
-// fewer than the scene has: each is part of the picture. Sampling gets 0.7 of the error, the step of wavelength 0.45, the cut-off 0.35,
+// fewer than the scene has: each is part of the picture. Depth goes with the cut-off. Sampling gets 0.7 of the error, the step of wavelength 0.45, the cut-off 0.35,
 // rounding 0.3: together 0.95.
 ChosenSettings choose_settings(std::unique_ptr<LoadedScene>& loaded, const RenderCommand& command, Device& device,
                                double error, const std::atomic<bool>& cancel);
