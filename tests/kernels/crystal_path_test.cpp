@@ -86,7 +86,7 @@ TEST_CASE("a camera inside a crystal sees the same bright world") {
   in_bright_worlds([](const Kernels& kernels, const std::string&, TestScene& scene, double kappa) {
     scene.geometry.camera_cell = 1;
     scene.scene.settings.max_trace_level = 2000;
-    std::vector<RayCase> rays = random_rays(64, 1, 17);
+    std::vector<RayCase> rays = random_rays(16, 1, 17);
     for (RayCase& ray : rays) ray.position = {-7 + 0.01 * ray.position.x, 0.1 * ray.position.y, 0.1 * ray.position.z};
     Counters counters;
     for (const Light& light : kernels.follow_rays(scene.packed(kernels.lanes), rays, 0, counters)) {

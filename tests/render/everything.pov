@@ -1,6 +1,6 @@
 // One of each thing that a scene can call for, so that every feature has something to do.
 #version unofficial 3.7;
-global_settings { mm_per_unit 1 max_trace_level 12 adc_bailout 1e-4 conical_rays 3 conical_spread 2 wavelengths { from 460 to 640 step 30 } }
+global_settings { mm_per_unit 1 max_trace_level 12 adc_bailout 1e-4 conical_rays 3 conical_spread 2 sample_error 0.5 wavelengths { from 460 to 640 step 30 } }
 #declare Glass = interior { index { cauchy 1.5046, 0.0042 } }
 #declare Active = interior { index { constant 1.6 } rotation { biot 7.2 } }
 #declare Smoke = interior { index { constant 1.45 } absorption { constant 0.05 } }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/abi.h"
 #include "tests/bench/native.hpp"
 #include "tests/render/pictures.hpp"
 
@@ -70,7 +71,7 @@ TEST_CASE("the C++ compiler draws the picture that OpenCL draws") {
     for (std::size_t lambda = 0; lambda < count; ++lambda) {
       for (int s = 0; s < 4; ++s) {
         const double a = device.frame.component(s, lambda)[pixel];
-        const double b = host.out[(pixel * count + lambda) * 5 + s];
+        const double b = host.out[(pixel * count + lambda) * OUT_COMPONENTS + s];
         apart = std::max(apart, std::fabs(a - b));
         largest = std::max(largest, std::fabs(b));
       }
