@@ -5,9 +5,9 @@ A glass cube (index 1.52 at all wavelengths) on a polarized light under a unifor
 scenes/comparison/glass_cube.pov, and the same below for Mitsuba's spectral polarized path tracer. Mitsuba's polarizer
 projects the axis that absorbs (Korger 2013); so do those of the scene.
 
-    python3 -m venv /tmp/mitsuba_venv && /tmp/mitsuba_venv/bin/pip install mitsuba
+    python3 -m venv mitsuba_venv && mitsuba_venv/bin/pip install mitsuba
     apt-get install libllvm19                    Mitsuba's compiler wants LLVM 16 or later
-    /tmp/mitsuba_venv/bin/python tests/bench/mitsuba.py
+    mitsuba_venv/bin/python tests/bench/mitsuba.py
 
 Error: RMS over pixels (and wavelengths) of S0, by its mean. nicol: against its own picture of --reference samples.
 Mitsuba: between pictures of two seeds, by sqrt 2. Times: of rendering on a machine that does nothing else, without what
