@@ -70,6 +70,8 @@ class Gather {
   std::vector<unsigned char> other_neighbours(std::size_t channel) const;
   void add_first_errors(std::size_t w, const std::vector<unsigned char>& others, std::vector<double>& sum) const;
   void first_errors();
+  void smooth_first_errors();
+  bool rough_at(std::size_t pixel) const;
   double error_of(std::size_t pixel) const;
   void calibrate();
   double deviation2(std::size_t pixel) const;

@@ -20,6 +20,13 @@ double square_of(float v) { return static_cast<double>(v) * static_cast<double>(
 
 constexpr int neighbours[8][2] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
 
+// Second difference along a line of pixels, at its ends that of the next one inside.
+double bend_of(const float* f, std::size_t at, std::size_t length, std::ptrdiff_t step) {
+  if (at == 0) f += step;
+  if (at + 1 == length) f -= step;
+  return static_cast<double>(f[-step]) + static_cast<double>(f[step]) - 2.0 * static_cast<double>(*f);
+}
+
 }  // namespace
 
 // Which neighbours in the picture met something else than the pixel: a bit for each of `neighbours`.
@@ -55,19 +62,15 @@ void Gather::add_first_errors(std::size_t w, const std::vector<unsigned char>& o
     for (int k = 0; k < 8 && others[i] != 0; ++k)
       if (others[i] >> k & 1)
         step2 = std::max(step2, step_to(i, i + static_cast<std::size_t>(neighbours[k][1] * frame_.width + neighbours[k][0])));
-    if (step2 > 0) {
-      sum[i] += edge_share * edge_share * step2;
-      continue;
-    }
-    const bool inner_x = i % width > 0 && i % width + 1 < width, inner_y = i >= width && i + width < plane;
+    double smooth2 = 0;
     for (int s = 0; s < 4; ++s) {
       const float* f = frame_.component(s, w) + i;
       double bend = 0;
-      if (inner_x) bend += std::fabs(static_cast<double>(f[-1]) + static_cast<double>(f[1]) - 2.0 * static_cast<double>(*f));
-      if (inner_y)
-        bend += std::fabs(static_cast<double>(*(f - width)) + static_cast<double>(f[width]) - 2.0 * static_cast<double>(*f));
-      sum[i] += bend * bend / (24.0 * 24.0);
+      if (width >= 3) bend += std::fabs(bend_of(f, i % width, width, 1));
+      if (plane / width >= 3) bend += std::fabs(bend_of(f, i / width, plane / width, static_cast<std::ptrdiff_t>(width)));
+      smooth2 += bend * bend / (24.0 * 24.0);
     }
+    sum[i] += std::max(edge_share * edge_share * step2, smooth2);
   }
 }
 
@@ -88,7 +91,48 @@ void Gather::first_errors() {
   prior_.resize(sum.size());
   for (std::size_t i = 0; i < sum.size(); ++i)
     prior_[i] = static_cast<float>(std::sqrt(sum[i] / static_cast<double>(wavelengths)));
+  smooth_first_errors();
   frame_.sample_error = prior_;
+}
+
+// A second difference or a step may vanish by chance where light varies faster than pixels: a pixel is no better than its
+// neighbours of the same kind, at edges or away from them, are on average.
+void Gather::smooth_first_errors() {
+  const int width = frame_.width, height = frame_.height;
+  const std::vector<float> own = prior_;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * width + x;
+      double sum = 0;
+      int count = 0;
+      for (const auto& [dx, dy] : neighbours) {
+        const std::size_t n = i + static_cast<std::size_t>(dy * width + dx);
+        if (x + dx < 0 || x + dx >= width || y + dy < 0 || y + dy >= height || edge_[n] != edge_[i]) continue;
+        sum += static_cast<double>(own[n]);
+        ++count;
+      }
+      if (count > 0) prior_[i] = std::max(prior_[i], static_cast<float>(sum / count));
+    }
+}
+
+// Light varies within the pixel by much more than from it to its neighbours' means: fringes finer than pixels.
+bool Gather::rough_at(std::size_t pixel) const {
+  constexpr double much_more = 4;
+  const std::size_t width = static_cast<std::size_t>(frame_.width), plane = frame_.plane();
+  double ramp2 = 0;  // variance of a ramp that goes as the neighbours do
+  for (std::size_t w = 0; w < frame_.lambda_nm.size(); ++w)
+    for (int s = 0; s < 4; ++s) {
+      const float* f = frame_.component(s, w);
+      const auto slope = [&](std::size_t back, std::size_t forth) {
+        return forth == back ? 0.0
+                             : static_cast<double>(f[forth] - f[back]) * (forth - back == 1 || forth - back == width ? 1.0 : 0.5);
+      };
+      const double across = slope(pixel % width > 0 ? pixel - 1 : pixel, pixel % width + 1 < width ? pixel + 1 : pixel);
+      const double down = slope(pixel >= width ? pixel - width : pixel, pixel + width < plane ? pixel + width : pixel);
+      ramp2 += (across * across + down * down) / 12;
+    }
+  ramp2 /= static_cast<double>(frame_.lambda_nm.size());
+  return deviation2(pixel) / frame_.samples[pixel] > much_more * ramp2;
 }
 
 // The law from the pixels whose samples have just become more: the change is what the mean had been off, and is now.
@@ -153,6 +197,7 @@ void Gather::estimate_errors() {
     if (step_[i] > 0) changed.push_back(i);
   for (const std::size_t i : changed) {
     for (std::size_t c = 0; c < channel_at_.size() && !edge_[i]; ++c) edge_[i] = signature_[c * frame_.plane() + i] < 0;
+    if (!edge_[i] && frame_.samples[i] > 1) edge_[i] = rough_at(i);
     frame_.sample_error[i] = static_cast<float>(error_of(i));
   }
   const double before = law_;

@@ -61,9 +61,13 @@ TEST_CASE("the sampling error that is asked for is kept against many samples") {
       CHECK(picture.report.sample_error_kept);
       CHECK(picture.report.sample_error <= target);
       CHECK(off <= target);
-      // uniform samples of as many rays
-      const auto uniform = take(setup, std::max(1, static_cast<int>(picture.report.samples_mean)), 0);
-      CHECK(off < 0.67 * picture_error(uniform.frame, many.frame).stokes_rms);
+      // uniform samples of as many rays; edges along rows of pixels make single counts lucky
+      double uniform2 = 0;
+      for (const double part : {0.9, 1.0, 1.1}) {
+        const auto uniform = take(setup, std::max(1, static_cast<int>(part * picture.report.samples_mean)), 0);
+        uniform2 += std::pow(picture_error(uniform.frame, many.frame).stokes_rms, 2) / 3;
+      }
+      CHECK(off < 0.67 * std::sqrt(uniform2));
     }
   }
 }
