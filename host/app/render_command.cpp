@@ -197,8 +197,8 @@ int render_command(const RenderCommand& command) {
   if (job.report.interrupted) return finish_interrupted(targets, job);
   look_into_errors(*loaded, command, job);
   const int code = write_all(targets, job.frame);
+  if (code == exit_done) job.journal->remove();  // else --continue writes the picture without rendering it again
   write_map(*loaded, command, job);
-  job.journal->remove();
   if (!command.quiet) {
     tell(targets, job.frame, job.report);
     if (!command.no_budget) fmt::print(stderr, "{}", budget_text(job.budget));
