@@ -18,7 +18,7 @@ LIBRARIES = [
     ("OpenEXR", r"(OpenEXR/|Imath/|Imf|Imath|Iex|half\.h)", ["host/output/exr_sink.cpp"]),
     ("zlib", r"zlib\.h", ["host/output/journal.cpp"]),
     ("libpng", r"(libpng\d*/|png\.h)", ["host/output/png_sink.cpp"]),
-    ("a window library", r"(GLFW/|imgui|epoxy/|GL/)", ["host/preview/"]),
+    ("a window library", r"(GLFW/|imgui|epoxy/|GL/|EGL/)", ["host/window/"]),
     ("OpenCL", r"(CL/|OpenCL/)", ["host/opencl/"]),
     ("CLI11", r"CLI/", ["host/app/main.cpp"]),
 ]
@@ -38,8 +38,10 @@ HOST_MODULES = {
     "accuracy": {"output", "optics"},
     "opencl": {"", "output", "optics"},
     "": {"", "solids", "optics"},
-    "preview": {"", "output", "opencl", "optics"},
-    "app": {"", "optics", "bind", "solids", "output", "accuracy", "opencl", "preview"},
+    "record": {"", "solids"},
+    "preview": {"", "output", "opencl", "optics", "solids", "accuracy", "record"},
+    "window": {"", "output", "optics", "opencl", "preview", "record"},
+    "app": {"", "optics", "bind", "solids", "output", "accuracy", "opencl", "preview", "window"},
 }
 
 OPTICS_WORDS = (
