@@ -9,7 +9,8 @@ namespace nicol::preview {
 
 // What the mouse has done to the camera. All zero: as the scene says.
 struct Navigation {
-  double yaw_rad = 0, pitch_rad = 0;    // around the pivot: about the camera's up, then its right; the picture's content follows the mouse
+  // Around the pivot, about the camera's up, then its right: > 0 turns the side of the content that faces the camera right, up.
+  double yaw_rad = 0, pitch_rad = 0;
   double pan_right = 0, pan_up = 0;     // in widths and heights of the picture at the pivot: > 0 moves the content right, up
   double zoom = 0;                      // powers of 2: > 0 comes nearer (perspective: distance to the pivot / 2^zoom; orthographic: width / 2^zoom)
   bool operator==(const Navigation& o) const;
