@@ -100,6 +100,7 @@ FUNCTION void gather_unpolarized(PRIVATE const SceneView* view, PRIVATE const Pa
 
 FUNCTION void gather_light(PRIVATE const SceneView* view, PRIVATE const Path* path, int light, mask where,
                            PRIVATE Gathered* sum) {
+  WITNESS(ends_at_light(path->ray.cell, path->carries == CARRIES_PAIR, path_weight(view, &path->jones), light, where));
   GLOBAL const int* record = view->lights + light * LIGHT_INTS;
   real radiance = pick(where, spectral(view, record[LIGHT_ROW]), lanes(0));
   int polarizer = record[LIGHT_POLARIZER];
@@ -120,6 +121,7 @@ FUNCTION void gather_light(PRIVATE const SceneView* view, PRIVATE const Path* pa
 }
 
 FUNCTION void gather_sky(PRIVATE const SceneView* view, PRIVATE const Path* path, mask where, PRIVATE Gathered* sum) {
+  WITNESS(ends_at_sky(path->ray.cell, path->carries == CARRIES_PAIR, path_weight(view, &path->jones), where));
   real radiance = spectral(view, view->header[HEADER_SKY_ROW]);
   gather_unpolarized(view, path, pick(where, radiance, lanes(0)), sum);
 }
@@ -132,6 +134,7 @@ FUNCTION mask shines_towards(PRIVATE const SceneView* view, PRIVATE const Path* 
 
 // J M for a polarizer: the path goes on in the state that passes.
 FUNCTION void pass_polarizer(PRIVATE const SceneView* view, PRIVATE Path* path, int polarizer) {
+  WITNESS(passes_polarizer(polarizer));
   PassingState state = passing_state(view, polarizer, path->ray.direction);
   if (!has(polarization, view)) {
     path->jones.e[0].re = lanes(0.5) * state.amplitude * state.amplitude * path->jones.e[0].re;

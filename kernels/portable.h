@@ -183,6 +183,11 @@ FUNCTION int largest_lane(lane_int v) {
 #endif
 #endif
 
+// Marks what a path meets. Nothing, unless whoever writes paths down (host/record) has set it before: then `call` is made.
+#ifndef WITNESS
+#define WITNESS(call)
+#endif
+
 // ---- features: baked when SCENE_FEATURES is given, else the scene's own mask ----
 enum {
 #define FEATURE(name, bit, meaning) FEATURE_##name = 1 << bit,

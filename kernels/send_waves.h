@@ -169,6 +169,7 @@ FUNCTION void take_azimuth(PRIVATE const SceneView* view, PRIVATE const WaveMedi
               (abs_of(gap) < lanes(view->conical_spread) * opening);
   if (!any_lane(here)) return;
   sum->cones = sum->cones | here;
+  WITNESS(meets_cone());
   vec3 normal = wave_normal(scale3(lanes(0.5f), add3(w[0].k, w[1].k)));
   vec3 e = any_across(normal);
   real s = lanes(0);

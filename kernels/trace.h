@@ -26,6 +26,7 @@ typedef struct {
 // False if no lane is left.
 FUNCTION int next_event(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE PathStack* stack,
                         PRIVATE Gathered* sum, GLOBAL event_count* counters, PRIVATE Event* event) {
+  WITNESS(goes_through(path->ray.cell, path->carries == CARRIES_PAIR, path_weight(view, &path->jones)));
   Hit hit = path->pinned >= 0 ? hit_across_gap(view, path) : next_hit(view, &path->ray);
   event->patch = lane_ints(-1);
   int contacts = has(light_contacts, view) || has(polarizer_contacts, view) || has(solid_contacts, view);
@@ -231,6 +232,8 @@ FUNCTION int step(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE Pat
     ++path->level;
     return keep_bright(view, path, sum, counters);
   }
+  WITNESS(meets_face(path->ray.cell, cell_beyond(view, path, &event), path->level,
+                     dot3(path->ray.direction, event.hit.normal)));
   if (is_crystal(view, cell_of(view, path->ray.cell)[CELL_MEDIUM]) ||
       is_crystal(view, cell_of(view, cell_beyond(view, path, &event))[CELL_MEDIUM]))
     return through_crystal_face(view, path, &event, stack, sum, counters);
@@ -273,6 +276,7 @@ FUNCTION int follow(PRIVATE const SceneView* view, Path path, PRIVATE PathStack*
                     GLOBAL event_count* counters) {
   int segments = 0;
   stack->size = 0;
+  WITNESS(starts(path_weight(view, &path.jones)));
   if (!start_in_crystal(view, &path, stack, sum, counters)) return 0;
   for (;;) {
     segments += count_lanes(path_weight(view, &path.jones) > lanes(0));
