@@ -83,9 +83,12 @@ bool any_medium(const Scene& scene, bool (*is)(const Scene&, const Medium&)) {
                      [&](int m) { return is(scene, scene.media[static_cast<std::size_t>(m)]); });
 }
 
-bool any_calcite_polarizer(const Scene& scene) {
-  return std::any_of(scene.polarizers.begin(), scene.polarizers.end(),
-                     [](const Polarizer& p) { return p.kind == Polarizer::Kind::calcite; });
+bool is_calcite(const Polarizer& polarizer) { return polarizer.kind == Polarizer::Kind::calcite; }
+bool polarizer_disperses(const Polarizer& polarizer) {
+  return is_calcite(polarizer) && (varies(polarizer.n_o) || varies(polarizer.n_e));
+}
+bool any_polarizer(const Scene& scene, bool (*is)(const Polarizer&)) {
+  return std::any_of(scene.polarizers.begin(), scene.polarizers.end(), is);
 }
 
 bool polarizes(const Scene& scene) {
@@ -187,17 +190,13 @@ struct Removal {
 };
 
 std::vector<Removal> removals(const Scene& scene) {
-  const bool crystals = any_medium(scene, is_crystal), calcite = any_calcite_polarizer(scene);
-  const bool polarizer_disperses =
-      std::any_of(scene.polarizers.begin(), scene.polarizers.end(), [](const Polarizer& p) {
-        return p.kind == Polarizer::Kind::calcite && (varies(p.n_o) || varies(p.n_e));
-      });
+  const bool crystals = any_medium(scene, is_crystal);
   const std::string at = " as at " + middle_text(scene);
   return {
       {{"polarization", "intensities only"}, polarizes(scene), only_intensities},
       {{"coherence", "the two waves of a crystal add as intensities"}, crystals && scene.settings.coherence,
        without_coherence},
-      {{"dispersion", "refractive indices" + at}, any_medium(scene, disperses) || polarizer_disperses,
+      {{"dispersion", "refractive indices" + at}, any_medium(scene, disperses) || any_polarizer(scene, polarizer_disperses),
        without_dispersion},
       {{"rotation", "no optical activity"}, any_medium(scene, turns_light), without_rotation},
       {{"rotatory_dispersion", "optical rotation" + at}, any_medium(scene, has_rotatory_dispersion),
@@ -209,7 +208,7 @@ std::vector<Removal> removals(const Scene& scene) {
       {{"birefringence", "isotropic media of the mean index"}, any_medium(scene, is_birefringent),
        without_birefringence},
       {{"conical_rays", "one ray at a binormal"}, any_medium(scene, has_cone), without_conical_rays},
-      {{"calcite_polarizers", "ideal polarizers"}, calcite, without_calcite_polarizers},
+      {{"calcite_polarizers", "ideal polarizers"}, any_polarizer(scene, is_calcite), without_calcite_polarizers},
   };
 }
 
@@ -220,6 +219,30 @@ std::vector<Effect> effects_of(const Scene& scene) {
   for (const Removal& removal : removals(scene))
     if (removal.there) effects.push_back(removal.effect);
   return effects;
+}
+
+std::vector<std::string> effects_of_medium(const Scene& scene, const Medium& medium) {
+  std::vector<std::string> names;
+  const auto call = [&](const char* name, bool (*is)(const Scene&, const Medium&)) {
+    if (is(scene, medium)) names.push_back(name);
+  };
+  call("polarization", is_crystal);
+  call("dispersion", disperses);
+  call("rotation", turns_light);
+  call("rotatory_dispersion", has_rotatory_dispersion);
+  call("circular_waves", has_circular_waves);
+  call("absorption", absorbs);
+  call("pleochroism", is_pleochroic);
+  call("birefringence", is_birefringent);
+  return names;
+}
+
+std::vector<std::string> effects_of_polarizer(const Scene& scene, const Polarizer& polarizer) {
+  std::vector<std::string> names;
+  if (scene.settings.polarization) names.push_back("polarization");
+  if (polarizer_disperses(polarizer)) names.push_back("dispersion");
+  if (is_calcite(polarizer)) names.push_back("calcite_polarizers");
+  return names;
 }
 
 Scene without_effect(const Scene& scene, const std::string& name) {

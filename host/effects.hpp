@@ -15,6 +15,11 @@ struct Effect {
 // Those that the scene calls for, in a fixed order. Only media that a solid or the surroundings have count.
 std::vector<Effect> effects_of(const Scene& scene);
 
+// Names of those that light owes to a way through the medium, or to the polarizer. Not among them: coherence, for which two
+// waves must stay together, and conical_rays, for which a wave normal must meet a binormal.
+std::vector<std::string> effects_of_medium(const Scene& scene, const Medium& medium);
+std::vector<std::string> effects_of_polarizer(const Scene& scene, const Polarizer& polarizer);
+
 // The scene without one of them; geometry built for the scene stays valid, features must be decided anew.
 // Throws std::invalid_argument for a name that effects_of does not list.
 Scene without_effect(const Scene& scene, const std::string& name);
