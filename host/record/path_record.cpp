@@ -85,7 +85,8 @@ std::array<double, 4> trace_pixel(const PackedScene& packed, int pixel, int chan
   double out[traced::OUT_COMPONENTS];
   traced::event_count counters[traced::COUNTERS] = {};
   const TakingDown taking_down(log);
-  traced::render_item(packed.ints.data(), packed.reals.data(), packed.tables.data(), centre, &pixel, out, counters, 1, channel, 0, 1);
+  traced::render_item(packed.ints.data(), packed.reals.data(), packed.tables.data(), centre, &pixel, out, counters, 1, channel,
+                      0, 1);
   return {out[traced::OUT_STOKES], out[traced::OUT_STOKES + 1], out[traced::OUT_STOKES + 2], out[traced::OUT_STOKES + 3]};
 }
 
@@ -102,8 +103,8 @@ std::vector<std::string> effects_met(const Scene& scene, const Geometry& geometr
   const auto add = [&met](const std::vector<std::string>& names) { met.insert(names.begin(), names.end()); };
   for (const MetCell& cell : log.cells) add(effects_of_medium(scene, scene.media[geometry.cells[cell.cell].medium]));
   for (const int polarizer : polarizers) add(effects_of_polarizer(scene, scene.polarizers[polarizer]));
-  if (std::any_of(log.aslant.begin(), log.aslant.end(), [&](const auto& cells) { return changes_index(scene, geometry, cells); }))
-    met.insert("polarization");
+  for (const auto& cells : log.aslant)
+    if (changes_index(scene, geometry, cells)) met.insert("polarization");
   if (log.pair) met.insert("coherence");
   if (log.cone) met.insert("conical_rays");
   std::vector<std::string> effects;
@@ -137,8 +138,8 @@ PathRecord record_of(const Scene& scene, const Geometry& geometry, const PathLog
 
 }  // namespace
 
-PathRecord record_paths(const Scene& scene, const Geometry& geometry, std::uint32_t features, int width, int height, int x, int y,
-                        std::size_t wavelength) {
+PathRecord record_paths(const Scene& scene, const Geometry& geometry, std::uint32_t features, int width, int height, int x,
+                        int y, std::size_t wavelength) {
   if (x < 0 || y < 0 || x >= width || y >= height) throw std::out_of_range("no such pixel in the picture");
   if (wavelength >= scene.lambda_nm.size()) throw std::out_of_range("no such wavelength in the scene");
   const PackedScene packed = pack(scene, geometry, features, width, height, 1);

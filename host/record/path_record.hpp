@@ -18,7 +18,7 @@ struct MetCell {
   int cell = 0;              // index into Geometry::cells; 0: the surroundings
   int medium = 0;            // index into Scene::media
   int object = -1;           // index into Scene::objects, -1: none
-  double weight = 0;         // of the heaviest path in it; 1: as heavy as the path that starts behind the camera's polarizer
+  double weight = 0;         // of the heaviest path in it; 1: as heavy as at the camera, behind the camera's polarizer
   int faces = 0;             // met from inside of it
 };
 
@@ -27,7 +27,7 @@ struct PathRecord {
   std::vector<int> polarizers;        // indices into Scene::polarizers that paths passed, the camera's too; ascending
   std::vector<int> emissions;         // indices into Scene::emissions that paths ended at, where those shine; ascending
   bool sky = false;                   // paths ended at the sky
-  int faces = 0;                      // met by all paths together; one that shines ends the path and does not count, nor does a seam
+  int faces = 0;                      // met by all paths together; seams, and faces that shine towards the path, do not count
   int deepest = 0;                    // faces along the longest path, and polarizers on the way to them
   std::array<double, 4> stokes{};     // what all of it brings: S0..S3 per nm, in the picture's axes
   // Names as effects_of() has them (host/effects.hpp), of what changed the light on the way: in the order of that list.
@@ -40,10 +40,11 @@ struct PathRecord {
   std::vector<std::string> effects;
 };
 
-// Of the ray through the middle of pixel (x, y) of a picture of width x height, counted from its upper left corner, at one of the
-// scene's wavelengths (index into Scene::lambda_nm). `features` as the scene is rendered with. Takes as long as the tree is
-// large; any number of threads may record at once. Throws std::out_of_range for a pixel or a wavelength that there is not.
-PathRecord record_paths(const Scene& scene, const Geometry& geometry, std::uint32_t features, int width, int height, int x, int y,
-                        std::size_t wavelength);
+// Of the ray through the middle of pixel (x, y) of a picture of width x height, counted from its upper left corner, at one
+// of the scene's wavelengths (index into Scene::lambda_nm). `features` as the scene is rendered with. It costs what the
+// pixel costs in a picture; threads may record at once. Throws std::out_of_range for a pixel or wavelength that there is
+// not.
+PathRecord record_paths(const Scene& scene, const Geometry& geometry, std::uint32_t features, int width, int height, int x,
+                        int y, std::size_t wavelength);
 
 }  // namespace nicol

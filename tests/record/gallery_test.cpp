@@ -15,7 +15,8 @@ TEST_CASE("the founding cube turns light; beside it the sky has come straight") 
   const auto cube = load_gallery("founding/fig5_active.pov");
   const PathRecord middle = cube.at(0.5, 0.5), beside = cube.at(0.02, 0.02);
   CHECK(cells_met(middle) == std::vector<int>{0, 1});
-  for (const char* name : {"polarization", "rotation", "rotatory_dispersion", "dispersion", "calcite_polarizers"}) CHECK(has_effect(middle, name));
+  for (const char* name : {"polarization", "rotation", "rotatory_dispersion", "dispersion", "calcite_polarizers"})
+    CHECK(has_effect(middle, name));
   CHECK_FALSE(has_effect(middle, "birefringence"));
   CHECK(middle.emissions == std::vector<int>{0});
   CHECK(std::count(middle.polarizers.begin(), middle.polarizers.end(), *cube.scene.camera.polarizer) == 1);
@@ -51,13 +52,24 @@ TEST_CASE("crystals: two waves apart, two waves together, colours by direction")
 }
 
 TEST_CASE("conical rays only where a wave normal meets a binormal") {
-  const auto plate = load_gallery("conical/aragonite.pov");
-  CHECK(has_effect(plate.at(0.5, 0.5), "conical_rays"));
+  CHECK(has_effect(load_gallery("conical/aragonite.pov").at(0.5, 0.5), "conical_rays"));
+  const auto plate = test::load_text(R"(
+global_settings { mm_per_unit 1 wavelengths { 589.3 } coherence off conical_rays 3 conical_spread 0.5 }
+background { spectrum { e } }
+camera { location -10*z direction z right x up y }
+box { <-40, -40, 0>, <40, 40, 1>
+  interior { alpha { constant 1.53 } beta { constant 1.681 } gamma { constant 1.6855 } optic_frame { alpha x gamma y } } }
+)");
+  // 15.4 degrees from the middle in the plane of alpha and gamma, as in birefringence/biaxial_figure.pov
+  CHECK(has_effect(plate.at(0.5 + 0.2755, 0.5), "conical_rays"));
+  CHECK_FALSE(has_effect(plate.at(0.5, 0.5), "conical_rays"));
+  CHECK_FALSE(has_effect(plate.at(0.5, 0.5 + 0.2755), "conical_rays"));
 }
 
 TEST_CASE("every pixel of every kind of scene: effects are the scene's, in its order; weights and faces hold together") {
-  for (const char* file : {"founding/fig8_corner.pov", "birefringence/calcite_twin.pov", "instruments/wollaston.pov", "gems/zircon.pov",
-                           "activity/biquartz.pov", "comparison/glass_cube.pov", "conventions/handedness_behind.pov"}) {
+  for (const char* file : {"founding/fig8_corner.pov", "birefringence/calcite_twin.pov", "instruments/wollaston.pov",
+                           "gems/zircon.pov", "activity/biquartz.pov", "comparison/glass_cube.pov",
+                           "conventions/handedness_behind.pov"}) {
     CAPTURE(file);
     const auto scene = load_gallery(file, {450, 650});
     std::vector<std::string> all;

@@ -73,8 +73,8 @@ TEST_CASE("beside the plate: the light alone, and beside that the sky alone") {
 
 TEST_CASE("aslant a face polarizes; between equal media it does not") {
   const auto at = [](const std::string& index) {
-    return load_text(straight_on + orthographic + "box { <-4, -4, -1>, <4, 4, 1> rotate 30*y interior { index { constant " + index + " } } }")
-        .at(0.5, 0.5);
+    const std::string box = "box { <-4, -4, -1>, <4, 4, 1> rotate 30*y interior { index { constant " + index + " } } }";
+    return load_text(straight_on + orthographic + box).at(0.5, 0.5);
   };
   CHECK(at("1.5").effects == std::vector<std::string>{"polarization"});
   CHECK(at("1").effects.empty());
@@ -87,7 +87,8 @@ global_settings { mm_per_unit 1 wavelengths { 500, 600 } max_trace_level 20 adc_
 background { spectrum { e } }
 camera { orthographic location -10*z right 30*x up 30*y look_at 0 polarizer { ideal angle 20 } }
 )" + sheet + "translate 6*z luminous { spectrum { e } polarizer { ideal angle 50 } } }\n" +
-                               sheet + "polarizer { calcite angle 30 } }\n" + sheet + "translate 6*x polarizer { ideal angle 30 } }\n");
+                               sheet + "polarizer { calcite angle 30 } }\n" +  //
+                               sheet + "translate 6*x polarizer { ideal angle 30 } }\n");
   REQUIRE(scene.scene.polarizers.size() == 4);
   const PathRecord middle = scene.at(0.5, 0.5), aside = scene.at(0.7, 0.5), beside = scene.at(0.05, 0.5);
   CHECK(middle.polarizers.size() == 3);
@@ -101,23 +102,54 @@ camera { orthographic location -10*z right 30*x up 30*y look_at 0 polarizer { id
 }
 
 TEST_CASE("solids in solids, and solids that touch") {
-  const auto nested = load_text(straight_on + orthographic + "box { <-4, -4, -1>, <4, 4, 3>" + glass +
-                                "} box { <-1, -1, 0>, <1, 1, 1> interior { index { constant 1.7 } rotation { constant 20 } } }");
+  const std::string inner = "box { <-1, -1, 0>, <1, 1, 1> interior { index { constant 1.7 } rotation { constant 20 } } }";
+  const auto nested = load_text(straight_on + orthographic + "box { <-4, -4, -1>, <4, 4, 3>" + glass + "} " + inner);
   const PathRecord through_both = nested.at(0.5, 0.5), through_one = nested.at(0.6, 0.5);
   CHECK(cells_met(through_both) == std::vector<int>{0, 1, 2});
   CHECK(has_effect(through_both, "rotation"));
   CHECK(cells_met(through_one) == std::vector<int>{0, 1});
   CHECK_FALSE(has_effect(through_one, "rotation"));
 
-  const std::string left = "box { <-4, -4, 0>, <4, 4, 1>" + glass + "} ";
-  const auto gap = load_text(straight_on + orthographic + left + "box { <-4, -4, 1>, <4, 4, 2>" + glass + "}");
-  const auto contact = load_text(straight_on + orthographic + left + "box { <-4, -4, 1>, <4, 4, 2>" + glass + "optical_contact on }");
-  const PathRecord across = gap.at(0.5, 0.5), joined = contact.at(0.5, 0.5);
+  const std::string two = straight_on + orthographic + "box { <-4, -4, 0>, <4, 4, 1>" + glass +  //
+                          "} box { <-4, -4, 1>, <4, 4, 2>" + glass;
+  const auto one = load_text(straight_on + orthographic + "box { <-4, -4, 0>, <4, 4, 2>" + glass + "}");
+  const PathRecord across = load_text(two + "}").at(0.5, 0.5);
+  const PathRecord joined = load_text(two + "optical_contact on }").at(0.5, 0.5);
   CHECK(cells_met(across) == std::vector<int>{0, 1, 2});
   CHECK(cells_met(joined) == std::vector<int>{0, 1, 2});
   CHECK(across.faces > joined.faces);  // two interfaces against one that does nothing
-  CHECK(std::fabs(joined.stokes[0] - load_text(straight_on + orthographic + "box { <-4, -4, 0>, <4, 4, 2>" + glass + "}").at(0.5, 0.5).stokes[0]) <
-        1e-6 * joined.stokes[0]);
+  CHECK(std::fabs(joined.stokes[0] - one.at(0.5, 0.5).stokes[0]) < 1e-6 * joined.stokes[0]);
+}
+
+TEST_CASE("a camera inside a solid: what leaves for the sky at once has been in the surroundings") {
+  const std::string camera = "camera { location 0.5*z direction z right 0.1*x up 0.1*y }\n";
+  const std::string calcite = "interior { ordinary { constant 1.66 } extraordinary { constant 1.49 } optic_axis <1, 0, 1> }";
+  for (const std::string& interior : {glass, calcite}) {
+    const auto inside = load_text("global_settings { mm_per_unit 1 wavelengths { 589.3 } } background { spectrum { e } }" +
+                                  camera + "box { <-4, -4, 0>, <4, 4, 1>" + interior + "}");
+    const PathRecord record = inside.at(0.5, 0.5);
+    CHECK(record.cells.front().cell == 1);
+    CHECK(cells_met(record) == std::vector<int>{0, 1});
+    CHECK(weight_in(record, 0) > 0.4);
+    CHECK(weight_in(record, 0) < weight_in(record, 1));
+    CHECK(weight_in(record, 1) <= 1 + 1e-12);
+    CHECK(faces_of(record, 0) == 0);
+    CHECK(record.sky);
+    CHECK(has_effect(record, "birefringence") == (interior == calcite));
+  }
+}
+
+TEST_CASE("a face that shines outwards only is no light to paths inside") {
+  const auto seen = [](const std::string& sided, const std::string& direction) {
+    return load_text("global_settings { mm_per_unit 1 wavelengths { 589.3 } } background { spectrum { e } }" + orthographic +
+                     "box { <-4, -4, 0>, <4, 4, 1>" + glass + "luminous { spectrum { e } face " + direction + sided + "} }")
+        .at(0.5, 0.5);
+  };
+  CHECK(seen("", "z").emissions == std::vector<int>{0});
+  CHECK(seen(" one_sided on ", "z").emissions.empty());
+  const PathRecord outside = seen(" one_sided on ", "-z");
+  CHECK(outside.emissions == std::vector<int>{0});
+  CHECK(outside.faces == 0);
 }
 
 TEST_CASE("a pixel or a wavelength that there is not") {

@@ -16,6 +16,7 @@ Loaded load(const std::function<void(const sdl::Options&, sdl::Result&)>& parse,
   sdl::Options options;
   options.library_paths = {SCENES_FOLDER "/include", SCENES_FOLDER "/founding", SCENES_FOLDER "/gems"};
   options.image_width = options.image_height = size;
+  options.debug = [](const std::string&) {};
   sdl::Result parsed;
   parse(options, parsed);
   BindOptions wanted;

@@ -15,7 +15,8 @@ struct Loaded {
 
   // At the point (u, v) of a square picture, 0..1 from the left and from the top.
   PathRecord at(double u, double v, int size = 400, std::size_t wavelength = 0) const {
-    return record_paths(scene, geometry, features.mask, size, size, static_cast<int>(u * size), static_cast<int>(v * size), wavelength);
+    const int x = static_cast<int>(u * size), y = static_cast<int>(v * size);
+    return record_paths(scene, geometry, features.mask, size, size, x, y, wavelength);
   }
 };
 

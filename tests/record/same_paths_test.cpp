@@ -19,8 +19,10 @@ std::array<double, 4> drawn(const PackedScene& packed, const bench::NativeResult
                             std::size_t wavelength) {
   std::array<double, 4> stokes{};
   for (int channel = 0; channel < packed.channels; ++channel) {
-    const double share = !packed.mixing.empty() ? packed.mixing[channel * wavelengths + wavelength] : channel == static_cast<int>(wavelength);
-    for (int i = 0; i < 4; ++i) stokes[i] += share * picture.out[(pixel * packed.channels + channel) * components + stokes_first + i];
+    const bool shared = !packed.mixing.empty();
+    const double share = shared ? packed.mixing[channel * wavelengths + wavelength] : channel == static_cast<int>(wavelength);
+    const double* out = picture.out.data() + (pixel * packed.channels + channel) * components + stokes_first;
+    for (int i = 0; i < 4; ++i) stokes[i] += share * out[i];
   }
   return stokes;
 }
@@ -41,10 +43,14 @@ TEST_CASE("the Stokes vectors of a recording are the picture's") {
     std::vector<double> lambda_nm;
     bool shared;  // one geometry serves all wavelengths
   };
-  for (const Case& c : {Case{"founding/fig5_active.pov", {400, 480, 550, 600, 700}, false}, Case{"founding/fig7_camera2.pov", {}, false},
-                        Case{"comparison/glass_cube.pov", {450, 550, 650}, true}, Case{"birefringence/biaxial_figure.pov", {}, false},
-                        Case{"conical/aragonite.pov", {}, false}, Case{"gems/ruby.pov", {500, 600}, false},
-                        Case{"instruments/wollaston.pov", {}, false}, Case{"conventions/handedness_behind.pov", {}, false}}) {
+  for (const Case& c : {Case{"founding/fig5_active.pov", {400, 480, 550, 600, 700}, false},
+                        Case{"founding/fig7_camera2.pov", {}, false},
+                        Case{"comparison/glass_cube.pov", {450, 550, 650}, true},
+                        Case{"birefringence/biaxial_figure.pov", {}, false},
+                        Case{"conical/aragonite.pov", {}, false},
+                        Case{"gems/ruby.pov", {500, 600}, false},
+                        Case{"instruments/wollaston.pov", {}, false},
+                        Case{"conventions/handedness_behind.pov", {}, false}}) {
     CAPTURE(c.scene);
     const auto loaded = load_gallery(c.scene, c.lambda_nm);
     const PackedScene packed = pack(loaded.scene, loaded.geometry, loaded.features.mask, size, size, 1);
@@ -56,7 +62,8 @@ TEST_CASE("the Stokes vectors of a recording are the picture's") {
       CAPTURE(pixel);
       const std::size_t wavelength = pixel % wavelengths;
       const auto expected = drawn(packed, picture, wavelengths, pixel, wavelength);
-      const PathRecord record = record_paths(loaded.scene, loaded.geometry, loaded.features.mask, size, size, pixel % size, pixel / size, wavelength);
+      const PathRecord record = record_paths(loaded.scene, loaded.geometry, loaded.features.mask, size, size, pixel % size,
+                                             pixel / size, wavelength);
       for (int i = 0; i < 4; ++i) CHECK(std::fabs(record.stokes[i] - expected[i]) <= 1e-12 * expected[0]);
       brightest = std::max(brightest, record.stokes[0]);
       // what brings light has met a light or the sky
