@@ -13,6 +13,12 @@ namespace nicol {
 
 struct Kernel;
 
+// A kernel of this process: null while it is being built, and after a build that failed.
+struct KernelPlace {
+  std::mutex building;                     // held during a build; comes before kernels_lock
+  std::shared_ptr<const Kernel> kernel;    // under kernels_lock
+};
+
 class Device {
  public:
   Device(const DeviceInfo& device_info, const cl::Device& cl_device);
@@ -24,9 +30,12 @@ class Device {
 
   std::mutex launches;   // kernels keep their arguments: one picture at a time
 
-  // Kernels of this process by identity (see program.cpp), so that a second picture builds nothing.
+  // First launches, in which PoCL compiles, and the saving of binaries take turns; comes after `launches`.
+  std::mutex compiling;
+
+  // Kernels of this process by identity (see program.cpp), so that a second picture builds nothing. Held for look-ups only.
   std::mutex kernels_lock;
-  std::map<std::string, std::shared_ptr<const Kernel>> kernels;
+  std::map<std::string, std::shared_ptr<KernelPlace>> kernels;
 };
 
 }  // namespace nicol

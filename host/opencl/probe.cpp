@@ -46,6 +46,7 @@ std::vector<double> read_back(cl::CommandQueue& queue, const cl::Buffer& buffer,
 // ANSWER_SCALARS per problem.
 std::vector<double> solve(Device& device, const Kernel& built, const std::vector<double>& problems, bool real_double) {
   const std::lock_guard<std::mutex> one_at_a_time(device.launches);
+  keep(device, built);
   const std::size_t values = problems.size() / PROBE_SCALARS * ANSWER_SCALARS;
   const cl::Buffer in = scalar_buffer(device.context, problems, real_double);
   const cl::Buffer out(device.context, CL_MEM_WRITE_ONLY, values * (real_double ? sizeof(double) : sizeof(float)));
@@ -61,7 +62,6 @@ std::string probe(Device& device, const std::string& text, bool real_double) {
     return answer_document(text, device.about.name, real_double ? "double" : "float",
                            [&](const std::vector<double>& problems) {
                              const auto kernel = probe_kernel(device, real_double);
-                             keep(*kernel);
                              return solve(device, *kernel, problems, real_double);
                            });
   } catch (const cl::Error& error) {

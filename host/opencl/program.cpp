@@ -47,6 +47,13 @@ cl::Program build_source(Device& device, const std::string& source, const std::s
   return program;
 }
 
+// The first launch, on a queue that no picture uses.
+void launch_first(Device& device, const KernelRequest& request, Kernel& made) {
+  cl::CommandQueue queue(device.context, device.device);
+  const std::lock_guard<std::mutex> one_at_a_time(device.compiling);
+  request.warm_up(queue, made.kernel, made.local_size);
+}
+
 // True if the binary was taken: built, and launched once.
 bool use_binary(Device& device, const Bytes& binary, const std::string& options, const KernelRequest& request,
                 Kernel& made) {
@@ -54,7 +61,7 @@ bool use_binary(Device& device, const Bytes& binary, const std::string& options,
     made.program = cl::Program(device.context, {device.device}, {binary});
     made.program.build({device.device}, options.c_str());
     made.kernel = cl::Kernel(made.program, request.name.c_str());
-    request.warm_up(device.queues[0], made.kernel, made.local_size);
+    launch_first(device, request, made);
     return true;
   } catch (const cl::Error&) {
     return false;   // the driver refuses it: build from source
@@ -71,53 +78,96 @@ void save_program(const cl::Program& program, const std::string& folder, const s
   }
 }
 
-std::shared_ptr<Kernel> make_kernel(Device& device, const KernelRequest& request, const std::string& source,
-                                    const std::string& options, const std::string& identity) {
+// A kernel's text and options, and its name in the caches.
+struct Recipe {
+  std::string source, options, identity;
+};
+
+Recipe recipe_of(const Device& device, const KernelRequest& request) {
+  Recipe recipe;
+  recipe.source = expand_includes(request.file);
+  recipe.options = build_options(device.about, request);
+  recipe.identity = identity_of(device.about, request.name, recipe.options, recipe.source);
+  return recipe;
+}
+
+std::shared_ptr<Kernel> make_kernel(Device& device, const KernelRequest& request, const Recipe& recipe) {
   const auto start = Clock::now();
   auto made = std::make_shared<Kernel>();
   made->local_size = local_size_on(device.about);
-  made->report.options = options;
+  made->report.options = recipe.options;
   const std::string folder = request.binary_cache ? kernel_cache_folder() : "";
-  if (const auto binary = folder.empty() ? std::nullopt : load_binary(folder, identity))
-    made->report.cached = use_binary(device, *binary, options, request, *made);
+  if (const auto binary = folder.empty() ? std::nullopt : load_binary(folder, recipe.identity))
+    made->report.cached = use_binary(device, *binary, recipe.options, request, *made);
   if (!made->report.cached) {
-    made->program = build_source(device, source, options);
+    made->program = build_source(device, recipe.source, recipe.options);
     made->kernel = cl::Kernel(made->program, request.name.c_str());
-    request.warm_up(device.queues[0], made->kernel, made->local_size);
-    if (request.binary_cache && (folder.empty() || !is_writable_folder(folder)))
+    launch_first(device, request, *made);
+    if (request.binary_cache && (folder.empty() || !is_writable_folder(folder))) {
       made->report.note = "compiled kernels are not kept: no cache folder can be written";
-    else if (request.binary_cache)
-      made->save = [program = made->program, folder, identity] { save_program(program, folder, identity); };
+    } else if (request.binary_cache) {
+      made->unsaved = true;
+      made->save = [program = made->program, folder, identity = recipe.identity] { save_program(program, folder, identity); };
+    }
   }
   made->report.seconds = seconds_since(start);
   return made;
 }
 
+std::shared_ptr<KernelPlace> place_of(Device& device, const std::string& identity) {
+  const std::lock_guard<std::mutex> lock(device.kernels_lock);
+  auto& place = device.kernels[identity];
+  if (!place) place = std::make_shared<KernelPlace>();
+  return place;
+}
+
+std::shared_ptr<const Kernel> kernel_at(Device& device, const KernelPlace& place) {
+  const std::lock_guard<std::mutex> lock(device.kernels_lock);
+  return place.kernel;
+}
+
 }  // namespace
 
-void keep(const Kernel& kernel) {
-  if (!kernel.save) return;
+void keep(Device& device, const Kernel& kernel) {
+  if (!kernel.unsaved.exchange(false)) return;
+  const std::lock_guard<std::mutex> one_at_a_time(device.compiling);
   kernel.save();
-  kernel.save = nullptr;
 }
 
 int local_size_on(const DeviceInfo& device) { return device.is_cpu ? 1 : 64; }
+
+std::vector<std::shared_ptr<const Kernel>> kernels_here(Device& device) {
+  std::vector<std::shared_ptr<const Kernel>> kernels;
+  const std::lock_guard<std::mutex> lock(device.kernels_lock);
+  for (const auto& [identity, place] : device.kernels)
+    if (place->kernel) kernels.push_back(place->kernel);
+  return kernels;
+}
+
+KernelReadiness readiness_of(Device& device, const KernelRequest& request) {
+  const Recipe recipe = recipe_of(device, request);
+  if (kernel_at(device, *place_of(device, recipe.identity))) return KernelReadiness::here;
+  const std::string folder = request.binary_cache ? kernel_cache_folder() : "";
+  const bool on_disk = !folder.empty() && load_binary(folder, recipe.identity).has_value();
+  return on_disk ? KernelReadiness::on_disk : KernelReadiness::missing;
+}
 
 std::shared_ptr<const Kernel> get_kernel(Device& device, const KernelRequest& request) {
   if (request.real_double && !device.about.has_fp64)
     throw DeviceError(fmt::format("{} cannot calculate in double precision (no cl_khr_fp64): use float, or another "
                                   "device (`nicol devices` lists them)", device.about.name));
-  const std::string source = expand_includes(request.file);
-  const std::string options = build_options(device.about, request);
-  const std::string identity = identity_of(device.about, request.name, options, source);
-  const std::lock_guard<std::mutex> lock(device.kernels_lock);
-  auto& known = device.kernels[identity];
+  const Recipe recipe = recipe_of(device, request);
+  const auto place = place_of(device, recipe.identity);
+  const std::lock_guard<std::mutex> one_builds(place->building);
+  if (auto known = kernel_at(device, *place)) return known;
   try {
-    if (!known) known = make_kernel(device, request, source, options, identity);
+    auto made = make_kernel(device, request, recipe);
+    const std::lock_guard<std::mutex> lock(device.kernels_lock);
+    place->kernel = made;
+    return made;
   } catch (const cl::Error& error) {
     throw DeviceError(error_message(error, device.about.name));
   }
-  return known;
 }
 
 }  // namespace nicol

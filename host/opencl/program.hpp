@@ -1,8 +1,10 @@
 // From kernel text to a kernel that is ready to launch: built once a process, kept on disk between them.
 #pragma once
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "host/opencl/device_impl.hpp"
 #include "host/opencl/render.hpp"
@@ -14,7 +16,8 @@ struct Kernel {
   mutable cl::Kernel kernel;  // made once: while PoCL gives the binary of a program, it makes no kernels of it
   int local_size = 1;
   BuildReport report;
-  mutable std::function<void()> save;  // to the binary cache; empty when there is nothing to save
+  std::function<void()> save;              // to the binary cache
+  mutable std::atomic<bool> unsaved{false};  // save is still to be called
 };
 
 struct KernelRequest {
@@ -31,11 +34,18 @@ struct KernelRequest {
 // 1 on a CPU: PoCL keeps the private memory of a whole work-group on one thread's stack. 64 elsewhere.
 int local_size_on(const DeviceInfo& device);
 
-// Throws DeviceError; a build failure carries the log, which names kernel file and line.
+// Throws DeviceError; a build failure carries the log, which names kernel file and line, and the next call tries again.
+// For several threads: one builds a kernel, others that want the same one wait; other kernels are not held up.
 std::shared_ptr<const Kernel> get_kernel(Device& device, const KernelRequest& request);
 
+// In this process, in the binary cache, or neither.
+KernelReadiness readiness_of(Device& device, const KernelRequest& request);
+
+// All that are built.
+std::vector<std::shared_ptr<const Kernel>> kernels_here(Device& device);
+
 // Saves a kernel's binary if that is still to be done. PoCL takes a second to give it and must not be running any
-// kernel meanwhile (its table of loaded code is not guarded), so the callers do this when their work is finished.
-void keep(const Kernel& kernel);
+// kernel meanwhile (its table of loaded code is not guarded): the callers hold device.launches, their work finished.
+void keep(Device& device, const Kernel& kernel);
 
 }  // namespace nicol

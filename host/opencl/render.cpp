@@ -23,7 +23,7 @@ void warm_up_trace(Device& device, cl::CommandQueue& queue, cl::Kernel& kernel, 
   queue.finish();
 }
 
-std::shared_ptr<const Kernel> trace_kernel(Device& device, std::uint32_t features, const KernelOptions& options) {
+KernelRequest trace_request(Device& device, std::uint32_t features, const KernelOptions& options) {
   KernelRequest request;
   request.file = "trace.cl";
   request.name = "trace";
@@ -34,7 +34,7 @@ std::shared_ptr<const Kernel> trace_kernel(Device& device, std::uint32_t feature
   request.warm_up = [&device](cl::CommandQueue& queue, cl::Kernel& kernel, int local_size) {
     warm_up_trace(device, queue, kernel, local_size);
   };
-  return get_kernel(device, request);
+  return request;
 }
 
 void check_scene(const PackedScene& scene, const std::vector<double>& lambda_nm,
@@ -90,13 +90,13 @@ Frame render(Device& device, const PackedScene& scene, const std::vector<double>
   Frame frame = options.pixels.empty() ? make_frame(scene, scene.width, scene.height, lambda_nm, weight_nm)
                                        : make_frame(scene, static_cast<int>(options.pixels.size()), 1, lambda_nm, weight_nm);
   try {
-    const auto kernel = trace_kernel(device, scene.features, options.kernel);
+    const auto kernel = get_kernel(device, trace_request(device, scene.features, options.kernel));
     report.build = kernel->report;
     const std::lock_guard<std::mutex> one_at_a_time(device.launches);
     const double before_tiles = seconds_since(start);
     Renderer(device, scene, options, *kernel, report.lanes, frame, report).run();
     report.seconds_to_first_tile += before_tiles;
-    keep(*kernel);
+    if (!options.kernel.save_later) keep(device, *kernel);
   } catch (const cl::Error& error) {
     throw DeviceError(error_message(error, device.about.name));
   }
@@ -126,9 +126,21 @@ std::string render_identity(const Device& device, const PackedScene& scene, cons
 }
 
 BuildReport prepare_kernel(Device& device, std::uint32_t features, const KernelOptions& options) {
-  const auto kernel = trace_kernel(device, features, options);
-  keep(*kernel);
+  const auto kernel = get_kernel(device, trace_request(device, features, options));
+  if (!options.save_later && kernel->unsaved) {
+    const std::lock_guard<std::mutex> no_picture(device.launches);
+    keep(device, *kernel);
+  }
   return kernel->report;
+}
+
+KernelReadiness kernel_readiness(Device& device, std::uint32_t features, const KernelOptions& options) {
+  return readiness_of(device, trace_request(device, features, options));
+}
+
+void save_kernels(Device& device) {
+  const std::lock_guard<std::mutex> no_picture(device.launches);
+  for (const auto& kernel : kernels_here(device)) keep(device, *kernel);
 }
 
 }  // namespace nicol

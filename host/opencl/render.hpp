@@ -20,6 +20,7 @@ struct KernelOptions {
   int lanes = 0;            // 0: the device's native width on a CPU, 1 on a GPU
   bool generic = false;     // one build for every scene instead of one specialised to the features
   bool binary_cache = true;
+  bool save_later = false;  // the binary is kept when save_kernels() is called
 };
 
 // How a kernel came to be.
@@ -92,7 +93,18 @@ std::uint32_t path_signatures_bit();
 std::string render_identity(const Device& device, const PackedScene& scene, const std::vector<double>& lambda_nm,
                             const RenderOptions& options);
 
-// Builds (or loads) the kernel that this scene needs, without rendering.
+// Builds (or loads) the kernel that this scene needs, without rendering. Pictures with kernels that are here go on meanwhile on
+// other threads; who wants the same kernel waits for it, and it is built once. Keeping its binary waits for the picture in work.
 BuildReport prepare_kernel(Device& device, std::uint32_t features, const KernelOptions& options);
+
+enum class KernelReadiness {
+  here,      // in this process: at once
+  on_disk,   // in the binary cache: a moment
+  missing    // to be built, or being built: seconds
+};
+KernelReadiness kernel_readiness(Device& device, std::uint32_t features, const KernelOptions& options);
+
+// Keeps the binaries of all kernels built with save_later. Waits for the picture in work; no other begins meanwhile (a second each).
+void save_kernels(Device& device);
 
 }  // namespace nicol
