@@ -11,7 +11,7 @@ struct Oklab {
   float lightness = 0, a = 0, b = 0;
 };
 
-constexpr Oklab dark_blue{0.30f, -0.010f, -0.110f}, yellow{0.93f, -0.025f, 0.150f};
+constexpr Oklab dark_blue{0.30f, -0.010f, -0.110f}, yellow{0.92f, -0.025f, 0.140f};
 constexpr Oklab blue{0.50f, -0.025f, -0.150f}, light_grey{0.88f, 0, 0}, red{0.50f, 0.165f, 0.080f};
 constexpr float angle_lightness = 0.74f, angle_chroma = 0.115f;
 
