@@ -7,7 +7,6 @@ namespace nicol::preview {
 namespace {
 
 constexpr float untraced_grey = 0.02f;  // linear: told apart from black
-constexpr int largest_block = 64;
 
 }  // namespace
 

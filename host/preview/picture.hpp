@@ -26,7 +26,10 @@ Picture make_picture(int width, int height, const std::vector<double>& lambda_nm
 // Nothing of it holds any longer; what it shows stays until it is traced anew.
 void forget(Picture& picture);
 
-// The traced pixel (row * width + column) that pixel (x, y) shows; -1: none yet.
+inline constexpr int largest_block = 64;
+
+// The traced pixel (row * width + column) that pixel (x, y) shows: the corner of the
+// smallest traced block of 1, 2, 4, ... largest_block pixels; -1: none yet.
 std::int64_t shown_pixel(const Picture& picture, int x, int y);
 
 }  // namespace nicol::preview

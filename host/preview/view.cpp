@@ -27,6 +27,19 @@ bool is_false_colour(Quantity quantity) {
   return quantity != Quantity::colour && quantity != Quantity::ellipses;
 }
 
+// The pixels that those of a row show, as shown_pixel() has them: larger blocks first, smaller ones over them.
+void find_shown(const Picture& picture, int y, std::vector<std::int64_t>& from) {
+  const Frame& frame = picture.frame;
+  const int largest = picture.step > 0 ? std::min(picture.step, largest_block) : largest_block;
+  std::fill(from.begin(), from.end(), -1);
+  for (int block = largest; block >= 1; block /= 2) {
+    const std::int64_t row = std::int64_t{y - y % block} * frame.width;
+    for (int x = 0; x < frame.width; x += block)
+      if (frame.samples[static_cast<std::size_t>(row + x)] > 0)
+        std::fill(from.begin() + x, from.begin() + std::min(x + block, frame.width), row + x);
+  }
+}
+
 // Calls write(pixel, s) for every pixel with the Stokes vector that it shows, or with null.
 template <typename Write>
 void for_stokes(const Picture& picture, const View& view, Write write) {
@@ -37,15 +50,17 @@ void for_stokes(const Picture& picture, const View& view, Write write) {
   }
   std::array<const float*, 4> plane{};
   for (int s = 0; s < 4; ++s) plane[static_cast<std::size_t>(s)] = frame.component(s, *view.wavelength);
-  for (int y = 0; y < frame.height; ++y)
-    for (int x = 0; x < frame.width; ++x) {
-      const std::size_t p = static_cast<std::size_t>(y) * frame.width + x;
-      const std::int64_t from = frame.samples[p] > 0 ? static_cast<std::int64_t>(p) : shown_pixel(picture, x, y);
-      const std::array<float, 4> s = from < 0 ? std::array<float, 4>{}
-                                              : std::array<float, 4>{plane[0][from], plane[1][from], plane[2][from],
-                                                                     plane[3][from]};
-      write(p, from < 0 ? nullptr : s.data());
+  std::vector<std::int64_t> from(static_cast<std::size_t>(frame.width));
+  for (int y = 0; y < frame.height; ++y) {
+    find_shown(picture, y, from);
+    const std::size_t row = static_cast<std::size_t>(y) * from.size();
+    for (std::size_t x = 0; x < from.size(); ++x) {
+      std::array<float, 4> s{};
+      if (from[x] >= 0)
+        for (std::size_t k = 0; k < 4; ++k) s[k] = plane[k][from[x]];
+      write(row + x, from[x] < 0 ? nullptr : s.data());
     }
+  }
 }
 
 // Grey as bright as an equal-energy light of this radiance at all of the picture's wavelengths would be.
