@@ -245,6 +245,18 @@ std::vector<std::string> effects_of_polarizer(const Scene& scene, const Polarize
   return names;
 }
 
+const std::vector<std::string>& effect_names() {
+  static const std::vector<std::string> names = [] {
+    Scene scene;
+    scene.lambda_nm = {580};
+    scene.media.resize(1);
+    std::vector<std::string> all;
+    for (const Removal& removal : removals(scene)) all.push_back(removal.effect.name);
+    return all;
+  }();
+  return names;
+}
+
 Scene without_effect(const Scene& scene, const std::string& name) {
   for (const Removal& removal : removals(scene))
     if (removal.there && removal.effect.name == name) return removal.remove(scene);

@@ -20,6 +20,9 @@ std::vector<Effect> effects_of(const Scene& scene);
 std::vector<std::string> effects_of_medium(const Scene& scene, const Medium& medium);
 std::vector<std::string> effects_of_polarizer(const Scene& scene, const Polarizer& polarizer);
 
+// Of all effects that some scene can have, in the same order.
+const std::vector<std::string>& effect_names();
+
 // The scene without one of them; geometry built for the scene stays valid, features must be decided anew.
 // Throws std::invalid_argument for a name that effects_of does not list.
 Scene without_effect(const Scene& scene, const std::string& name);

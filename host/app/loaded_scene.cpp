@@ -147,25 +147,35 @@ std::string LoadedScene::place(const Location& where) const {
   return fmt::format("{}:{}", parsed.sources.name(where.file), where.line);
 }
 
+ReadScene read_scene(const std::string& path, const SceneOptions& options, Expectations expectations) {
+  const sdl::Options sdl_options = parse_options(options);
+  BindOptions wanted = bind_options(path, options);
+  ReadScene read;
+  wanted.files_read = &read.files;
+  read.loaded = std::make_unique<LoadedScene>();
+  LoadedScene& loaded = *read.loaded;
+  sdl::Diagnostics& diagnostics = loaded.parsed.diagnostics;
+  sdl::parse_file(path, sdl_options, loaded.parsed);
+  if (!wanted.lambda_nm.empty() && expectations == Expectations::where_they_apply)
+    drop_expectations(loaded.parsed.document);
+  if (!loaded.parsed.document.items.empty() || !diagnostics.failed())
+    loaded.scene = bind(loaded.parsed.document, wanted, diagnostics);
+  if (!diagnostics.failed()) {
+    loaded.geometry = build_geometry(loaded.scene, diagnostics);
+    refuse_polarizers_in_crystals(loaded.scene, loaded.geometry, diagnostics);
+  }
+  read.whole = !diagnostics.failed();
+  if (read.whole) loaded.features = decide_features(loaded.scene, loaded.geometry);
+  return read;
+}
+
 std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options,
                                         Expectations expectations) {
-  const sdl::Options sdl_options = parse_options(options);
-  const BindOptions wanted = bind_options(path, options);
-  auto loaded = std::make_unique<LoadedScene>();
-  sdl::Diagnostics& diagnostics = loaded->parsed.diagnostics;
-  sdl::parse_file(path, sdl_options, loaded->parsed);
-  if (!wanted.lambda_nm.empty() && expectations == Expectations::where_they_apply)
-    drop_expectations(loaded->parsed.document);
-  if (!loaded->parsed.document.items.empty() || !diagnostics.failed())
-    loaded->scene = bind(loaded->parsed.document, wanted, diagnostics);
-  if (!diagnostics.failed()) {
-    loaded->geometry = build_geometry(loaded->scene, diagnostics);
-    refuse_polarizers_in_crystals(loaded->scene, loaded->geometry, diagnostics);
-  }
+  ReadScene read = read_scene(path, options, expectations);
+  const sdl::Diagnostics& diagnostics = read.loaded->parsed.diagnostics;
   if (!diagnostics.all().empty()) fmt::print(stderr, "{}", diagnostics.text());
-  if (diagnostics.failed()) return nullptr;
-  loaded->features = decide_features(loaded->scene, loaded->geometry);
-  return loaded;
+  if (!read.whole) return nullptr;
+  return std::move(read.loaded);
 }
 
 KernelOptions kernel_options(const DeviceOptions& options) {

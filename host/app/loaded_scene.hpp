@@ -24,6 +24,15 @@ struct LoadedScene {
 // issue.
 enum class Expectations { where_they_apply, always };
 
+// What reading came to: errors and warnings stand in loaded->parsed.diagnostics.
+struct ReadScene {
+  std::unique_ptr<LoadedScene> loaded;  // never null
+  bool whole = false;                   // no errors: everything in it holds
+  std::vector<std::string> files;       // that were read beside those of loaded->parsed.sources
+};
+ReadScene read_scene(const std::string& path, const SceneOptions& options,
+                     Expectations expectations = Expectations::where_they_apply);
+
 // Warnings and errors go to standard error; null if there was an error. UsageError for wrong
 // options.
 std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options,

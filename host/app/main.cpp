@@ -12,6 +12,7 @@
 #include "host/app/commands.hpp"
 #include "host/app/interrupt.hpp"
 #include "host/app/povray_switches.hpp"
+#include "host/app/preview_command.hpp"
 #include "sdl/diagnostics.hpp"
 
 namespace {
@@ -93,6 +94,28 @@ void add_render(CLI::App& app, RenderCommand& command, Verb& chosen) {
   add_device_options(*verb, command.device, {"float", "double"});
   verb->add_flag("-q,--quiet", command.quiet, "Tell only what went wrong");
   verb->callback([&] { chosen = [&] { return render_command(command); }; });
+}
+
+void add_preview(CLI::App& app, PreviewCommand& command, Verb& chosen) {
+  CLI::App* verb = app.add_subcommand("preview", "A window: one scene or two beside each other, live");
+  verb->add_option("scene", command.scene, "The scene")->required();
+  verb->add_option("second", command.second, "Another one, for the right pane");
+  verb->add_option("--right", command.right,
+                   "The right pane: the first scene with a change ('Declare=Name=Value', 'without EFFECT', "
+                   "'device=NAME', 'real=double', 'error 0.1%', ...); may be repeated")
+      ->allow_extra_args(false);
+  command.options.width = 640;
+  command.options.height = 480;
+  add_scene_options(*verb, command.options);
+  verb->add_option("--samples", command.options.samples, "Samples per pixel, at least")
+      ->check(CLI::Range(1, 65536));
+  verb->add_option("--script", command.script, "Commands in place of a person ('-': from standard input); needs no display");
+  verb->add_flag("--show", command.show, "Show the window while a script runs, too");
+  add_device_options(*verb, command.device, {"float", "double"});
+  verb->callback([&command, &chosen, verb] {
+    command.size_given = verb->count("--width") + verb->count("--height") > 0;
+    chosen = [&command] { return preview_command(command); };
+  });
 }
 
 void add_accuracy(CLI::App& app, AccuracyCommand& command, Verb& chosen) {
@@ -199,6 +222,7 @@ int run(const std::vector<std::string>& arguments) {
     return fmt::format("nicol: {}\nTry `nicol --help` or `nicol VERB --help`.\n", error.what());
   });
   RenderCommand render;
+  PreviewCommand preview;
   AccuracyCommand accuracy;
   ExplainCommand explain;
   CheckCommand check;
@@ -206,6 +230,7 @@ int run(const std::vector<std::string>& arguments) {
   DeviceOptions device;
   Verb chosen;
   add_render(app, render, chosen);
+  add_preview(app, preview, chosen);
   add_accuracy(app, accuracy, chosen);
   add_explain(app, explain, chosen);
   add_check(app, check, chosen);

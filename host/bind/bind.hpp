@@ -22,6 +22,7 @@ struct BindOptions {
   std::optional<double> error, sample_error;  // see Settings
   std::optional<double> exposure;
   std::optional<bool> polarization;
+  std::vector<std::string>* files_read = nullptr;  // takes the names of files that bind reads (gem cuts)
 };
 
 // All errors are collected in `diagnostics`; the Scene is whole only if none was added.

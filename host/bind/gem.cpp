@@ -40,6 +40,7 @@ void read_file(Context& context, RawGem& raw) {
                          "as text ('.asc')");
   if (std::filesystem::file_size(path, ignored) > most_bytes)
     return context.error(raw.file_where, "'" + raw.file + "' is too large for a gem cut");
+  if (context.options.files_read) context.options.files_read->push_back(path);
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();

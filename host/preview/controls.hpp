@@ -22,7 +22,8 @@ struct Controls {
   std::set<std::string> without_right;         // on the right side only; not empty: the right pane is a render of its own
   int width = 640, height = 480;               // of the pictures, pixels
   double exposure_stops = 0;                   // powers of 2, beside the scene's exposure
-  std::array<View, 2> view;                    // what the left and the right pane show
+  std::array<View, 2> view{{{}, {Quantity::degree, {}}}};   // what the left and the right pane show
+  bool before_analyzer = false;                // one scene: the right pane is a render of the light that arrives at the analyzer
   std::optional<std::size_t> scrubbed;         // wavelength of both panes, in place of the views' own
   bool show_difference = false;                // the right pane shows |left - right|
   double amplification = 10;                   // of the difference

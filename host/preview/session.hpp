@@ -52,7 +52,8 @@ struct PaneSource {
 struct SessionOptions {
   PaneSource left;
   std::optional<PaneSource> right;                      // none: the right pane shows the left picture's polarization
-  bool keep_camera_shape = false;                       // width and height become those of the scene's camera, as large as fits into the given ones
+  int width = 640, height = 480;                        // of the pictures
+  bool keep_camera_shape = false;                       // the size becomes the largest within that of the shape of the left scene's camera
   int most_samples = 23;                                // per pixel, uniformly; then the work rests
 };
 
@@ -100,6 +101,7 @@ class Session {
   bool update();
 
   bool two_renders() const;                             // the right pane is a render of its own
+  bool compares() const;                                // two renders that are meant to look alike: what they differ by can be shown
   const PaneStatus& status(int pane) const;             // pane 1 is pane 0's where there is one render
   View shown_view(int pane) const;                      // with the scrubbed wavelength
   // What a pane shows now, and a number that changes with it. The right one: the difference, if that is to be shown.
@@ -113,7 +115,8 @@ class Session {
   // What its ray met; found on another thread: none until then, `wake` is called.
   std::optional<PixelPath> pixel_path(int pane, int x, int y);
 
-  bool at_rest() const;                                 // all work that could be done is done
+  bool at_rest() const;                                 // all work that could be done is done, kernels included
+  bool pictures_done() const;                           // the panes' pictures are
   void reload();                                        // reads the files again
   void turn_effect(int number, bool right_only);        // of the left pane's effects, 1, 2, ...: leaves it out, or takes it back
   void reset();                                         // camera, polarizers, effects, exposure, views as at the start

@@ -1,0 +1,81 @@
+// The inside of a session: panes, the thread that works for them, and what was made of their pictures. For session*.cpp only.
+#pragma once
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <thread>
+
+#include "host/preview/file_watch.hpp"
+#include "host/preview/latest_job.hpp"
+#include "host/preview/pane.hpp"
+#include "host/preview/session.hpp"
+
+namespace nicol::preview {
+
+struct Session::Parts {
+  Parts(SessionOptions session_options, const Controls& controls, std::function<void()> wake_window);
+  ~Parts();
+
+  // ---- work ----
+  void run();                                   // the working thread
+  std::shared_ptr<Pane> most_urgent();
+  void rest();                                  // nothing to do: kernels are kept for the next start
+  void notify();                                // there is something to do
+  void set_panes(std::vector<std::shared_ptr<Pane>> panes);
+  std::vector<std::shared_ptr<Pane>> panes() const;
+  void ask(int pane, const Look& look);
+
+  // ---- what the window's thread keeps ----
+  Look look_of(const Controls& controls, bool right) const;
+  void sync_panes(const Controls& controls);
+  void take_first_scene(Controls& controls);
+  bool wants_right(const Controls& controls) const;
+  void tell(std::string text);
+
+  struct Shown {
+    Developed developed;
+    View view;
+    std::uint64_t picture = 0, other = 0, version = 0;
+    bool difference = false, done = false;
+  };
+  struct Path {
+    std::shared_ptr<const Prepared> prepared;
+    int x = -1, y = -1;
+    std::size_t wavelength = 0;
+    std::optional<PixelPath> found;
+  };
+
+  const SessionOptions options;
+  const std::function<void()> wake;
+  Controls at_start;
+  std::atomic<bool> quit{false};
+  mutable std::mutex panes_lock;
+  std::condition_variable news;
+  std::vector<std::shared_ptr<Pane>> panes_;
+  std::uint64_t requests = 0;                   // with panes_lock
+  std::atomic<std::uint64_t> pieces{0};         // of work done
+  std::atomic<bool> resting{false};
+  std::uint64_t pieces_seen = 0;
+  std::array<std::optional<Look>, 2> asked;
+  std::array<PaneStatus, 2> status;
+  std::array<Shown, 2> shown;
+  Difference difference;
+  bool first_scene_taken = false;
+  std::vector<std::string> watched;
+  bool watched_any_new = false;
+  mutable std::mutex path_lock;
+  std::array<Path, 2> path;
+  mutable std::mutex notice_lock;
+  std::string notice;
+  std::chrono::steady_clock::time_point notice_until;
+
+  // threads, ended in the opposite order
+  SideBuilder builder;
+  std::array<LatestJob, 2> witness;             // of the left and the right pane
+  LatestJob saver{true};
+  FileWatch watch;
+  std::thread worker;
+};
+
+}  // namespace nicol::preview

@@ -1,0 +1,107 @@
+// What is shown, saved to files.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "host/output/atomic_file.hpp"
+#include "host/preview/session_parts.hpp"
+
+namespace nicol::preview {
+namespace {
+
+std::string stem_of(const std::string& title) { return std::filesystem::path(title).stem().string(); }
+
+// The picture as it stands; pixels not traced yet are those that they show.
+Frame whole_frame(const Picture& picture) {
+  Frame frame = picture.frame;
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x) {
+      const std::size_t p = static_cast<std::size_t>(y) * frame.width + static_cast<std::size_t>(x);
+      const std::int64_t from = shown_pixel(picture, x, y);
+      if (from < 0 || static_cast<std::size_t>(from) == p) continue;
+      for (std::size_t w = 0; w < frame.lambda_nm.size(); ++w)
+        for (int s = 0; s < 4; ++s) frame.component(s, w)[p] = frame.component(s, w)[from];
+      frame.cut_off[p] = frame.cut_off[static_cast<std::size_t>(from)];
+    }
+  std::fill(frame.row_done.begin(), frame.row_done.end(), static_cast<unsigned char>(1));
+  return frame;
+}
+
+std::vector<std::pair<std::string, std::string>> notes(const PaneStatus& status) {
+  std::string without;
+  for (const std::string& name : status.without) without += (without.empty() ? "" : " ") + name;
+  const std::string sampling = status.step > 1 ? "blocks of " + std::to_string(status.step) + " pixels" : std::to_string(status.samples) + " samples a pixel";
+  return {{"scene", status.title}, {"made", "nicol preview"}, {"device", status.device + ", " + status.real}, {"sampling", sampling},
+          {"without", without.empty() ? "nothing left out" : without}};
+}
+
+std::string save(const std::string& path, const Frame& frame) {
+  try {
+    make_sink(path)->write(frame);
+    return "saved " + path;
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+void Session::save_picture(int pane) {
+  const Developed& shown = developed(pane);
+  const bool differs = pane == 1 && difference();
+  if (shown.rgb.empty()) return tell("there is no picture yet");
+  Frame frame;
+  frame.width = shown.width;
+  frame.height = shown.height;
+  frame.rgb = shown.rgb;
+  frame.cut_off.resize(frame.plane());
+  frame.row_done.assign(static_cast<std::size_t>(frame.height), 1);
+  const double stops = std::exp2(controls.exposure_stops) * (differs ? controls.amplification : status(pane).exposure);
+  if (shown.exposed)
+    for (float& value : frame.rgb) value *= static_cast<float>(stops);
+  frame.how = notes(status(pane));
+  frame.how.emplace_back("shown", differs ? "difference" : name_of(shown_view(pane).quantity));
+  const std::string path = stem_of(parts_->options.left.title) + (pane == 1 ? "-preview-right.png" : "-preview.png");
+  Parts& p = *parts_;
+  p.saver.post([&p, path, frame = std::move(frame)] {
+    p.tell(save(path, frame));
+    p.wake();
+  });
+}
+
+void Session::save_spectra(int pane) {
+  Parts& p = *parts_;
+  const auto panes = p.panes();
+  const auto from = panes[std::min(static_cast<std::size_t>(pane), panes.size() - 1)];
+  const std::string path = stem_of(p.options.left.title) + (pane == 1 ? "-preview-right.exr" : "-preview.exr");
+  const auto how = notes(status(pane));
+  const double stops = std::exp2(controls.exposure_stops);
+  p.saver.post([&p, from, path, how, stops] {
+    Frame frame = from->with_picture([](const Picture& picture) { return picture.step > 0 ? whole_frame(picture) : Frame{}; });
+    frame.how = how;
+    frame.exposure *= stops;
+    p.tell(frame.stokes.empty() ? "there is no picture yet" : save(path, frame));
+    p.wake();
+  });
+}
+
+std::string Session::camera_sdl() const {
+  const auto prepared = parts_->panes().front()->prepared();
+  return prepared ? camera_text(prepared->scene) : "";
+}
+
+void Session::save_camera() {
+  const std::string text = camera_sdl(), path = stem_of(parts_->options.left.title) + "-camera.inc";
+  if (text.empty()) return tell("there is no camera yet");
+  try {
+    AtomicFile file(path);
+    file.write(text.data(), text.size());
+    file.commit();
+    tell("saved " + path);
+  } catch (const std::exception& error) {
+    tell(error.what());
+  }
+}
+
+}  // namespace nicol::preview

@@ -1,0 +1,72 @@
+#include "host/preview/side_builder.hpp"
+
+namespace nicol::preview {
+namespace {
+
+auto key_of(const std::shared_ptr<Device>& device, std::uint32_t features, const KernelOptions& options) {
+  return std::tuple<const Device*, std::uint32_t, bool, bool, int>{device.get(), options.generic ? 0 : features, options.generic,
+                                                                   options.real_double, options.lanes};
+}
+
+}  // namespace
+
+std::string SideBuilder::failure_of(const Key& key) const {
+  const std::lock_guard<std::mutex> held(lock_);
+  const auto found = failures_.find(key);
+  return found == failures_.end() ? "" : found->second;
+}
+
+void SideBuilder::build(const std::shared_ptr<Device>& device, std::uint32_t features, const KernelOptions& options) {
+  const Key key = key_of(device, features, options);
+  if (!failure_of(key).empty()) return;
+  jobs_.post([=] {
+    std::string failure;
+    try {
+      prepare_kernel(*device, features, options);
+    } catch (const std::exception& error) {
+      failure = error.what();
+    }
+    {
+      const std::lock_guard<std::mutex> held(lock_);
+      if (failure.empty()) there_.insert(key);
+      else failures_[key] = failure;
+    }
+    done_();
+  });
+}
+
+KernelChoice SideBuilder::choose(const std::shared_ptr<Device>& device, std::uint32_t features, const KernelOptions& wanted) {
+  const auto ready = [&](const KernelOptions& options) {
+    const Key key = key_of(device, features, options);
+    const std::lock_guard<std::mutex> held(lock_);
+    if (there_.count(key) == 0 && kernel_readiness(*device, features, options) != KernelReadiness::missing) there_.insert(key);
+    return there_.count(key) > 0;
+  };
+  KernelChoice choice;
+  choice.options = wanted;
+  choice.specialised = !wanted.generic;
+  choice.ready = ready(wanted);
+  if (choice.ready) return choice;
+  build(device, features, wanted);
+  const std::string failure = failure_of(key_of(device, features, wanted));
+  choice.building = failure.empty();
+  KernelOptions generic = wanted;
+  generic.generic = true;
+  if (!wanted.generic && ready(generic)) {
+    choice.options = generic;
+    choice.specialised = false;
+    choice.ready = true;
+  } else if (!failure.empty()) {
+    throw DeviceError(failure);
+  }
+  return choice;
+}
+
+void SideBuilder::build_generic(const std::shared_ptr<Device>& device, const KernelOptions& wanted) {
+  KernelOptions generic = wanted;
+  generic.generic = true;
+  const bool here = kernel_readiness(*device, 0, generic) != KernelReadiness::missing;
+  if (!here) build(device, 0, generic);
+}
+
+}  // namespace nicol::preview

@@ -1,0 +1,50 @@
+// Kernels built on the side, so that pictures go on with one that is ready.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <tuple>
+
+#include "host/opencl/render.hpp"
+#include "host/preview/latest_job.hpp"
+
+namespace nicol::preview {
+
+struct KernelChoice {
+  bool ready = false;
+  KernelOptions options;      // ready: to render with
+  bool specialised = false;   // that kernel is the one for these features alone
+  bool building = false;      // the specialised one is being built
+};
+
+class SideBuilder {
+ public:
+  // `done` is called from the building thread, after each build.
+  explicit SideBuilder(std::function<void()> done) : done_(std::move(done)) {}
+
+  // The specialised kernel if it is ready; else the generic one, and the specialised one is begun; else that is waited for
+  // (ready false). `wanted.generic`: only ever the generic one. Throws DeviceError if what was asked for cannot be built.
+  KernelChoice choose(const std::shared_ptr<Device>& device, std::uint32_t features, const KernelOptions& wanted);
+
+  // Builds the generic kernel too, for changes to come.
+  void build_generic(const std::shared_ptr<Device>& device, const KernelOptions& wanted);
+
+  bool idle() const { return jobs_.idle(); }
+
+ private:
+  using Key = std::tuple<const Device*, std::uint32_t, bool, bool, int>;
+  void build(const std::shared_ptr<Device>& device, std::uint32_t features, const KernelOptions& options);
+  std::string failure_of(const Key& key) const;
+
+  std::function<void()> done_;
+  mutable std::mutex lock_;
+  std::map<Key, std::string> failures_;
+  std::set<Key> there_;       // known to be ready, without a look at the disk
+  LatestJob jobs_;            // last: its thread ends first
+};
+
+}  // namespace nicol::preview
