@@ -9,9 +9,9 @@ namespace nicol::preview {
 
 struct Difference {
   bool comparable = false;       // same size and wavelengths, and something traced in both
-  Developed developed;           // |left - right| of linear sRGB (at one wavelength: of S0, grey), not yet amplified
-  // Of the Stokes vector's, relative to the mean radiance of the left picture, over wavelengths: RMS over the pixels that
-  // both have traced, and the largest of a pixel (RMS over wavelengths) with its place.
+  Developed developed;           // |left - right| of linear sRGB (at one wavelength: of its grey), not yet amplified
+  // Of the Stokes vector's, relative to the mean radiance of the left picture, RMS over wavelengths: over the pixels that
+  // both have traced, and the largest of a pixel with its place.
   double rms = 0, largest = 0;
   int x = 0, y = 0;
   double delta_e_largest = 0;    // CIEDE2000 of the colours, white Y = 1/exposure

@@ -10,8 +10,8 @@ namespace nicol::preview {
 
 enum class Button { left, middle, right };
 
-// Drags in the pictures: left orbits, middle or right (or Shift + left) pans, the wheel zooms, at the divider it moves the divider. A left click
-// without a drag pins the pixel; another on the same one lets go.
+// Drags in the pictures: left orbits, middle or right (or Shift + left) pans, the wheel zooms, at the divider it moves the
+// divider. A left click without a drag (of more than 3 pixels) pins the pixel; another on the same one lets go.
 class Mouse {
  public:
   explicit Mouse(Controls& controls) : controls_(controls) {}

@@ -1,5 +1,5 @@
 // Camera and polarizers turned by hand: see navigation.hpp. Test: tests/preview/navigation_test.cpp.
-// Turns follow Rodrigues' formula: v' = v cos t + (k x v) sin t + k (k.v) (1 - cos t), right-handed about the unit vector k.
+// Turns follow Rodrigues' formula, right-handed about the unit vector k: v' = v cos t + (k x v) sin t + k (k.v) (1 - cos t).
 #include "host/preview/navigation.hpp"
 
 #include <algorithm>
@@ -77,7 +77,7 @@ bool belongs_to_light_or_sheet(const Scene& scene, int polarizer) {
                      [=](const Object& o) { return o.polarizer == polarizer; });
 }
 
-// An ideal one that passes what is horizontal in the picture; its plane is that of every camera's polarizer (host/bind).
+// Ideal, passes what is horizontal in the picture; its plane is that of every camera's polarizer (host/bind/camera.cpp).
 Polarizer horizontal_analyzer(const Camera& camera) {
   const Vec3 y = normalize(camera.up), x = normalize(project(camera.right, y));
   Polarizer polarizer;
@@ -87,7 +87,7 @@ Polarizer horizontal_analyzer(const Camera& camera) {
   return polarizer;
 }
 
-// The camera's polarizer as one of its own, if it had shared it; `base`: the camera before it was turned.
+// Turns with the camera, then in its plane. If a light has it too, the camera gets one of its own.
 void turn_analyzer(Scene& scene, const Turn& turn, double analyzer_rad) {
   int index = *scene.camera.polarizer;
   if (belongs_to_light_or_sheet(scene, index)) {
@@ -150,17 +150,18 @@ Scene navigate(const Scene& scene, Geometry& geometry, const Navigation& navigat
   const Turn turn(scene.camera, navigation);
   seen.camera = moved(scene.camera, navigation, pivot_of(scene, geometry));
 
-  // Polarizers of lights and sheets.
+  // The analyzer.
   const int count = static_cast<int>(scene.polarizers.size());
   if (analyzer == Analyzer::none) seen.camera.polarizer.reset();
   if (analyzer == Analyzer::added && !scene.camera.polarizer) {
     seen.polarizers.push_back(horizontal_analyzer(scene.camera));
     seen.camera.polarizer = count;
   }
-  // The camera's.
   if (seen.camera.polarizer) turn_analyzer(seen, turn, analyzer_rad);
+  // Those of lights and sheets.
   for (int i = 0; i < count; ++i)
-    if (i != seen.camera.polarizer && polarizer_rad != 0) turn_axis(seen.polarizers[static_cast<std::size_t>(i)], polarizer_rad);
+    if (i != seen.camera.polarizer && polarizer_rad != 0)
+      turn_axis(seen.polarizers[static_cast<std::size_t>(i)], polarizer_rad);
 
   geometry.camera_cell = seen.camera.orthographic ? 0 : cell_around(geometry, seen.camera.location);
   return seen;

@@ -10,7 +10,8 @@ constexpr float untraced_grey = 0.02f;  // linear: told apart from black
 
 }  // namespace
 
-Picture make_picture(int width, int height, const std::vector<double>& lambda_nm, const std::vector<double>& weight_nm) {
+Picture make_picture(int width, int height, const std::vector<double>& lambda_nm,
+                     const std::vector<double>& weight_nm) {
   Picture picture;
   Frame& frame = picture.frame;
   frame.width = width;

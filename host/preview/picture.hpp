@@ -8,8 +8,9 @@
 
 namespace nicol::preview {
 
-// Spectra are in `frame`, of the pixels traced so far (frame.samples > 0: how many samples their mean is of); what is shown of every
-// pixel is in `rgb` and `stokes_y`. Until a pixel is traced it shows the one at the corner of the smallest block that has been.
+// Spectra are in `frame`, of the pixels traced so far (frame.samples > 0: how many samples their mean is of); what is
+// shown of every pixel is in `rgb` and `stokes_y`. Until a pixel is traced it shows the one at the corner of the smallest
+// block that has been.
 struct Picture {
   Frame frame;                    // stokes, cut_off: means over samples; samples is never empty
   int step = 0;                   // every pixel whose row and column are multiples of it is traced; 0: nothing is

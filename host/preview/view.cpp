@@ -160,17 +160,17 @@ Scale scale_of(const View& view) {
   scale.unit = degrees ? "deg" : "";
   scale.low = view.quantity == Quantity::ellipticity ? -45 : degrees || view.quantity == Quantity::degree ? 0 : -1;
   scale.high = view.quantity == Quantity::ellipticity ? 45 : degrees ? 180 : 1;
-  constexpr double rad_per_deg = 3.14159265358979323846 / 180;
+  constexpr float rad_per_deg = 3.14159265f / 180;
   for (int i = 0; i < colours; ++i) {
-    const double value = scale.low + (scale.high - scale.low) * i / (colours - 1);
-    const double twice_rad = 2 * value * rad_per_deg;
+    const auto value = static_cast<float>(scale.low + (scale.high - scale.low) * i / (colours - 1));
+    const float twice_rad = 2 * value * rad_per_deg;
     switch (view.quantity) {
-      case Quantity::degree: scale.rgb.push_back(sequential_colour(static_cast<float>(value))); break;
+      case Quantity::degree: scale.rgb.push_back(sequential_colour(value)); break;
       case Quantity::angle:
-        scale.rgb.push_back(angle_colour(static_cast<float>(std::cos(twice_rad)), static_cast<float>(std::sin(twice_rad))));
+        scale.rgb.push_back(angle_colour(std::cos(twice_rad), std::sin(twice_rad)));
         break;
-      case Quantity::ellipticity: scale.rgb.push_back(ellipticity_colour(static_cast<float>(std::sin(twice_rad)))); break;
-      default: scale.rgb.push_back(diverging_colour(static_cast<float>(value)));
+      case Quantity::ellipticity: scale.rgb.push_back(ellipticity_colour(std::sin(twice_rad))); break;
+      default: scale.rgb.push_back(diverging_colour(value));
     }
   }
   return scale;

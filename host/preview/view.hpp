@@ -11,7 +11,7 @@ namespace nicol::preview {
 enum class Quantity {
   colour,       // as the eye sees it; at one wavelength: its radiance in grey
   degree,       // of polarization, sqrt(S1^2 + S2^2 + S3^2)/S0: 0..1
-  angle,        // azimuth of the ellipse, atan2(S2, S1)/2: 0..180 deg, hue; saturation with the degree of linear polarization
+  angle,        // azimuth of the ellipse, atan2(S2, S1)/2: 0..180 deg, hue; saturation: degree of linear polarization
   ellipticity,  // asin(S3/|S1 S2 S3|)/2: -45..45 deg
   ellipses,     // the colours, dimmed; ellipses are drawn over them
   s1, s2, s3    // over S0: -1..1
@@ -27,8 +27,9 @@ const std::vector<Quantity>& all_quantities();
 const char* name_of(Quantity quantity);
 std::optional<Quantity> quantity_named(const std::string& name);
 
-// A shown picture. `rgb` is linear sRGB, 3 floats a pixel, rows from the top; `exposed`: the exposure applies to it (colours), else not (false
-// colours). Where nothing is traced yet, and where S0 is 0 for what is relative to S0: a neutral dark grey.
+// A shown picture. `rgb` is linear sRGB, 3 floats a pixel, rows from the top; `exposed`: the exposure applies to it
+// (colours), else not (false colours). Where nothing is traced yet, and where S0 is 0 for what is relative to S0: a
+// neutral dark grey. Grey at one wavelength is as bright as equal-energy light of its radiance.
 struct Developed {
   int width = 0, height = 0;
   std::vector<float> rgb;
@@ -52,7 +53,8 @@ struct Ellipse {
   double degree = 0;                 // of polarization
 };
 
-// On a grid of `spacing` pixels, where there is light (more than 1e-4 of the brightest Y of the picture) that is polarized at all.
+// On a grid of `spacing` pixels, where there is light (more than 1e-4 of the brightest Y of the picture) that is
+// polarized by more than 1e-3.
 std::vector<Ellipse> ellipses(const Picture& picture, const View& view, int spacing);
 
 }  // namespace nicol::preview

@@ -46,7 +46,7 @@ Rgb looked_up(const Table& table, float value) {
 Rgb sequential_colour(float value) {
   static const Table table = [] {
     Table t;
-    for (int i = 0; i <= 2 * steps; ++i) t[static_cast<std::size_t>(i)] = between(dark_blue, yellow, static_cast<float>(i) / (2 * steps));
+    for (std::size_t i = 0; i < t.size(); ++i) t[i] = between(dark_blue, yellow, static_cast<float>(i) / (2 * steps));
     return t;
   }();
   return looked_up(table, 2 * value - 1);
@@ -55,8 +55,10 @@ Rgb sequential_colour(float value) {
 Rgb diverging_colour(float value) {
   static const Table table = [] {
     Table t;
-    for (int i = -steps; i <= steps; ++i)
-      t[static_cast<std::size_t>(i + steps)] = between(light_grey, i < 0 ? blue : red, std::fabs(static_cast<float>(i)) / steps);
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      const float at = static_cast<float>(i) / steps - 1;
+      t[i] = between(light_grey, at < 0 ? blue : red, std::fabs(at));
+    }
     return t;
   }();
   return looked_up(table, value);

@@ -21,7 +21,8 @@ struct Loaded {
 inline Loaded read(const std::string& text, const std::string& name = "test.pov") {
   Loaded loaded;
   sdl::Options options;
-  options.library_paths = {SCENES_FOLDER "/include", SCENES_FOLDER "/founding", SCENES_FOLDER "/gems", SCENES_FOLDER "/conical"};
+  for (const char* folder : {"/include", "/founding", "/gems", "/conical"})
+    options.library_paths.push_back(std::string(SCENES_FOLDER) + folder);
   sdl::parse_text(name, text, options, *loaded.parsed);
   loaded.scene = bind(loaded.parsed->document, {}, loaded.parsed->diagnostics);
   CHECK_MESSAGE(!loaded.parsed->diagnostics.failed(), loaded.parsed->diagnostics.text());

@@ -77,10 +77,11 @@ TEST_CASE("camera text: every scene's camera, as it is and moved") {
 TEST_CASE("camera text: parallel, mirrored, with any polarizer, in any unit") {
   for (const char* unit : {"1", "10", "25.4"})
     for (const char* kind : {"", "orthographic ", "right -x ", "orthographic right -1.2*x up 0.9*y "})
-      for (const char* polarizer : {"", "polarizer { ideal angle 20 } ", "polarizer { ideal angle 70 projection absorption } ",
-                                    "polarizer { calcite angle 110 } "}) {
+      for (const char* polarizer :
+           {"", "polarizer { ideal angle 20 } ", "polarizer { ideal angle 70 projection absorption } ",
+            "polarizer { calcite angle 110 } "}) {
         const std::string text = std::string("global_settings { mm_per_unit ") + unit + " } background { rgb 1 }";
-        const std::string camera = std::string("camera { location <3, 5, -8> look_at <0.1, 0.2, 0.3> angle 33 ") + kind +
+        const std::string camera = "camera { location <3, 5, -8> look_at <0.1, 0.2, 0.3> angle 33 " + std::string(kind) +
                                    polarizer + " rotate <0, 0, 11> }";
         const Loaded loaded = load(text + camera);
         check_read_again(loaded.scene, text, "test.pov");
@@ -90,7 +91,8 @@ TEST_CASE("camera text: parallel, mirrored, with any polarizer, in any unit") {
 }
 
 TEST_CASE("camera text: it tells that a calcite polarizer has indices of its own") {
-  const std::string camera = "global_settings { mm_per_unit 1 } background { rgb 1 } camera { location -z polarizer { calcite angle 0 ";
+  const std::string camera =
+      "global_settings { mm_per_unit 1 } background { rgb 1 } camera { location -z polarizer { calcite angle 0 ";
   CHECK(camera_text(read(camera + "} }").scene).find("index_o") == std::string::npos);
   CHECK(camera_text(read(camera + "index_o { constant 1.6 } } }").scene).find("index_o") != std::string::npos);
 }

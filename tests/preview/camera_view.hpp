@@ -11,7 +11,8 @@ inline std::array<double, 3> place_in_picture(const Camera& camera, Vec3 point_m
   const Vec3 p = point_mm - camera.location;
   const Vec3 &r = camera.right, &u = camera.up, &d = camera.direction;
   const double volume = dot(cross(r, u), d);
-  const double right = dot(cross(p, u), d) / volume, up = dot(cross(r, p), d) / volume, depth = dot(cross(r, u), p) / volume;
+  const double right = dot(cross(p, u), d) / volume, up = dot(cross(r, p), d) / volume;
+  const double depth = dot(cross(r, u), p) / volume;
   if (camera.orthographic) return {right, up, depth};
   return {right / depth, up / depth, depth};
 }

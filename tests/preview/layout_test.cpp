@@ -10,8 +10,8 @@ namespace {
 
 bool within(const Rect& inner, const Rect& outer) {
   const double slack = 1e-9;
-  return inner.x >= outer.x - slack && inner.y >= outer.y - slack && inner.x + inner.width <= outer.x + outer.width + slack &&
-         inner.y + inner.height <= outer.y + outer.height + slack;
+  return inner.x >= outer.x - slack && inner.x + inner.width <= outer.x + outer.width + slack &&
+         inner.y >= outer.y - slack && inner.y + inner.height <= outer.y + outer.height + slack;
 }
 
 Controls controls_of(int width, int height) {

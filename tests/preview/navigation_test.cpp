@@ -144,7 +144,8 @@ TEST_CASE("navigation: the analyzer turns with the camera, counter-clockwise as 
       REQUIRE(seen.camera.polarizer);
       const Polarizer& p = seen.polarizers[static_cast<std::size_t>(*seen.camera.polarizer)];
       const double azimuth = 20 * pi / 180 + 0.3;
-      check_near(p.transmission_axis, normalize(seen.camera.right) * std::cos(azimuth) + normalize(seen.camera.up) * std::sin(azimuth));
+      const Vec3 right = normalize(seen.camera.right), up = normalize(seen.camera.up);
+      check_near(p.transmission_axis, right * std::cos(azimuth) + up * std::sin(azimuth));
       check_near(p.normal, normalize(cross(seen.camera.right, seen.camera.up)));
     }
 }
@@ -168,7 +169,8 @@ TEST_CASE("navigation: an analyzer taken away or put in") {
 
 TEST_CASE("navigation: polarizers of lights and sheets turn about their normal, and only they") {
   const Loaded s = load(settings + tilted + "polarizer { ideal angle 0 } }" + cube +
-                        "polygon { 4, <-9,-3,-9>, <9,-3,-9>, <9,-3,9>, <-9,-3,9> luminous { spectrum { d65 } polarizer { ideal angle 0 } } }"
+                        "polygon { 4, <-9,-3,-9>, <9,-3,-9>, <9,-3,9>, <-9,-3,9>"
+                        "  luminous { spectrum { d65 } polarizer { ideal angle 0 } } }"
                         "disc { 3*y, y, 1 polarizer { ideal angle 10 } }");
   Geometry geometry = s.geometry;
   const Scene seen = navigate(s.scene, geometry, {}, Analyzer::as_scene, 0, 0.4);
@@ -177,7 +179,8 @@ TEST_CASE("navigation: polarizers of lights and sheets turn about their normal, 
     const Polarizer &was = s.scene.polarizers[i], &is = seen.polarizers[i];
     const bool analyzer = static_cast<int>(i) == *s.scene.camera.polarizer;
     CHECK(dot(was.transmission_axis, is.transmission_axis) == doctest::Approx(analyzer ? 1 : std::cos(0.4)));
-    CHECK(dot(cross(was.transmission_axis, is.transmission_axis), was.normal) == doctest::Approx(analyzer ? 0 : std::sin(0.4)));
+    const double sine = dot(cross(was.transmission_axis, is.transmission_axis), was.normal);
+    CHECK(sine == doctest::Approx(analyzer ? 0 : std::sin(0.4)));
     check_near(is.normal, was.normal);
   }
 }
@@ -214,7 +217,8 @@ TEST_CASE("navigation: the cell around the camera is the one that exact arithmet
 }
 
 TEST_CASE("navigation: on a face the cell is the outer one, on a seam a part of the solid") {
-  const Loaded s = load(settings + "camera { location -20*z } box { -3, 3 interior { ior 1.5 } } box { -1, 1 interior { ior 1.7 } }"
+  const Loaded s = load(settings + "camera { location -20*z } box { -3, 3 interior { ior 1.5 } }"
+                        "box { -1, 1 interior { ior 1.7 } }"
                         "prism { 0, 4, 6, <0,10>, <6,10>, <6,12>, <2,12>, <2,16>, <0,16> interior { ior 1.4 } }");
   CHECK(cell_around(s.geometry, {0, 0, 3}) == 0);
   CHECK(cell_around(s.geometry, {0, 1, 0}) == 1);

@@ -52,7 +52,8 @@ TEST_CASE("pixel: its colour is the one that is written to files") {
 
 TEST_CASE("pixel: the ellipse is that of the view's wavelength, or of all") {
   const Picture picture = varied();
-  const auto at_first = pixel_info(picture, {Quantity::colour, 0}, 1, 1), at_last = pixel_info(picture, {Quantity::colour, 4}, 1, 1);
+  const auto at_first = pixel_info(picture, {Quantity::colour, 0}, 1, 1);
+  const auto at_last = pixel_info(picture, {Quantity::colour, 4}, 1, 1);
   constexpr double pi = 3.14159265358979323846;
   CHECK(at_first->ellipse.ellipticity_rad == doctest::Approx(-pi / 4));  // S2 = 0: left circular
   CHECK(at_last->ellipse.azimuth_rad == doctest::Approx(pi / 4));
