@@ -28,7 +28,14 @@ class Device {
   cl::Context context;
   std::array<cl::CommandQueue, 2> queues;   // in order; launches alternate between them
 
-  std::mutex launches;   // kernels keep their arguments: one picture at a time
+  // Kernels keep their arguments: one picture at a time. To be taken by wait_for_turn().
+  std::mutex launches, next_in_line;
+
+  // In order of asking: pictures that follow one another at once would never let go of a mutex long enough for anyone else.
+  std::unique_lock<std::mutex> wait_for_turn() {
+    const std::lock_guard<std::mutex> next(next_in_line);
+    return std::unique_lock<std::mutex>(launches);
+  }
 
   // First launches, in which PoCL compiles, and the saving of binaries take turns; comes after `launches`.
   std::mutex compiling;

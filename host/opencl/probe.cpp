@@ -45,7 +45,7 @@ std::vector<double> read_back(cl::CommandQueue& queue, const cl::Buffer& buffer,
 
 // ANSWER_SCALARS per problem.
 std::vector<double> solve(Device& device, const Kernel& built, const std::vector<double>& problems, bool real_double) {
-  const std::lock_guard<std::mutex> one_at_a_time(device.launches);
+  const auto one_at_a_time = device.wait_for_turn();
   keep(device, built);
   const std::size_t values = problems.size() / PROBE_SCALARS * ANSWER_SCALARS;
   const cl::Buffer in = scalar_buffer(device.context, problems, real_double);

@@ -97,13 +97,18 @@ std::shared_ptr<Kernel> make_kernel(Device& device, const KernelRequest& request
   made->local_size = local_size_on(device.about);
   made->report.options = recipe.options;
   const std::string folder = request.binary_cache ? kernel_cache_folder() : "";
-  if (const auto binary = folder.empty() ? std::nullopt : load_binary(folder, recipe.identity))
-    made->report.cached = use_binary(device, *binary, recipe.options, request, *made);
-  if (!made->report.cached) {
+  const auto load = [&] {
+    const auto binary = folder.empty() ? std::nullopt : load_binary(folder, recipe.identity);
+    return binary && use_binary(device, *binary, recipe.options, request, *made);
+  };
+  made->report.cached = load();
+  const bool writable = !folder.empty() && is_writable_folder(folder);
+  const bool built_elsewhere = !made->report.cached && writable && request.build_elsewhere && request.build_elsewhere() && load();
+  if (!made->report.cached && !built_elsewhere) {
     made->program = build_source(device, recipe.source, recipe.options);
     made->kernel = cl::Kernel(made->program, request.name.c_str());
     launch_first(device, request, *made);
-    if (request.binary_cache && (folder.empty() || !is_writable_folder(folder))) {
+    if (request.binary_cache && !writable) {
       made->report.note = "compiled kernels are not kept: no cache folder can be written";
     } else if (request.binary_cache) {
       made->unsaved = true;

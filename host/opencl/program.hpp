@@ -29,6 +29,7 @@ struct KernelRequest {
   // Launches the kernel once on no work, with its fixed local size: PoCL compiles at the first launch, and a binary
   // holds only what was launched before it was saved.
   std::function<void(cl::CommandQueue&, cl::Kernel&, int local_size)> warm_up;
+  std::function<bool()> build_elsewhere;   // puts it into the binary cache, from where it is loaded; false: it has not. May be empty
 };
 
 // 1 on a CPU: PoCL keeps the private memory of a whole work-group on one thread's stack. 64 elsewhere.
@@ -44,7 +45,7 @@ KernelReadiness readiness_of(Device& device, const KernelRequest& request);
 // All that are built.
 std::vector<std::shared_ptr<const Kernel>> kernels_here(Device& device);
 
-// Saves a kernel's binary if that is still to be done. PoCL takes a second to give it and must not be running any
+// Saves a kernel's binary if that is still to be done. PoCL compiles once more to give it and must not be running any
 // kernel meanwhile (its table of loaded code is not guarded): the callers hold device.launches, their work finished.
 void keep(Device& device, const Kernel& kernel);
 

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "host/opencl/binary_cache.hpp"
+#include "host/opencl/builder_process.hpp"
 #include "host/opencl/errors.hpp"
 #include "host/opencl/kernel_source.hpp"
 #include "host/opencl/renderer.hpp"
@@ -34,6 +35,8 @@ KernelRequest trace_request(Device& device, std::uint32_t features, const Kernel
   request.warm_up = [&device](cl::CommandQueue& queue, cl::Kernel& kernel, int local_size) {
     warm_up_trace(device, queue, kernel, local_size);
   };
+  if (options.own_process)
+    request.build_elsewhere = [&device, features, options] { return build_in_own_process(device, features, options); };
   return request;
 }
 
@@ -92,7 +95,7 @@ Frame render(Device& device, const PackedScene& scene, const std::vector<double>
   try {
     const auto kernel = get_kernel(device, trace_request(device, scene.features, options.kernel));
     report.build = kernel->report;
-    const std::lock_guard<std::mutex> one_at_a_time(device.launches);
+    const auto one_at_a_time = device.wait_for_turn();
     const double before_tiles = seconds_since(start);
     Renderer(device, scene, options, *kernel, report.lanes, frame, report).run();
     report.seconds_to_first_tile += before_tiles;
@@ -128,7 +131,7 @@ std::string render_identity(const Device& device, const PackedScene& scene, cons
 BuildReport prepare_kernel(Device& device, std::uint32_t features, const KernelOptions& options) {
   const auto kernel = get_kernel(device, trace_request(device, features, options));
   if (!options.save_later && kernel->unsaved) {
-    const std::lock_guard<std::mutex> no_picture(device.launches);
+    const auto no_picture = device.wait_for_turn();
     keep(device, *kernel);
   }
   return kernel->report;
@@ -139,7 +142,7 @@ KernelReadiness kernel_readiness(Device& device, std::uint32_t features, const K
 }
 
 void save_kernels(Device& device) {
-  const std::lock_guard<std::mutex> no_picture(device.launches);
+  const auto no_picture = device.wait_for_turn();
   for (const auto& kernel : kernels_here(device)) keep(device, *kernel);
 }
 

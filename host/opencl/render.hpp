@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct KernelOptions {
   bool generic = false;     // one build for every scene instead of one specialised to the features
   bool binary_cache = true;
   bool save_later = false;  // the binary is kept when save_kernels() is called
+  // Built in a process of its own, which also keeps it: pictures with other kernels go on at full pace (PoCL lets no kernel start while it
+  // compiles one). Built here where no cache folder can be written or the program does not call serve_as_builder().
+  bool own_process = false;
 };
 
 // How a kernel came to be.
@@ -104,7 +108,11 @@ enum class KernelReadiness {
 };
 KernelReadiness kernel_readiness(Device& device, std::uint32_t features, const KernelOptions& options);
 
-// Keeps the binaries of all kernels built with save_later. Waits for the picture in work; no other begins meanwhile (a second each).
+// To be called first in main() by programs that want own_process: started anew by itself the program builds a kernel and has this exit
+// code; else there is none.
+std::optional<int> serve_as_builder(int argc, const char* const* argv);
+
+// Keeps the binaries of all kernels built with save_later. Waits for the picture in work; no other begins meanwhile (seconds each).
 void save_kernels(Device& device);
 
 }  // namespace nicol

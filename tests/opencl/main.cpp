@@ -5,7 +5,10 @@
 
 #include <filesystem>
 
+#include "host/opencl/render.hpp"
+
 int main(int argc, char** argv) {
+  if (const auto code = nicol::serve_as_builder(argc, argv)) return *code;
   char folder[] = "/tmp/nicol-opencl-test-XXXXXX";
   if (!mkdtemp(folder)) return 1;
   setenv("XDG_CACHE_HOME", folder, 1);
