@@ -3,20 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
+#include <thread>
 
 #include "host/accuracy/colour_difference.hpp"
 #include "host/optics/colour.hpp"
 
 namespace nicol::preview {
 namespace {
-
-// Indices of the pixels that both have traced.
-std::vector<std::size_t> pixels_of_both(const Picture& left, const Picture& right) {
-  std::vector<std::size_t> pixels;
-  for (std::size_t p = 0; p < left.frame.plane(); ++p)
-    if (left.frame.samples[p] > 0 && right.frame.samples[p] > 0) pixels.push_back(p);
-  return pixels;
-}
 
 Developed developed_difference(const Picture& left, const Picture& right, const View& view) {
   View colours = view;
@@ -26,36 +20,6 @@ Developed developed_difference(const Picture& left, const Picture& right, const 
   std::transform(developed.rgb.begin(), developed.rgb.end(), other.rgb.begin(), developed.rgb.begin(),
                  [](float a, float b) { return std::fabs(a - b); });
   return developed;
-}
-
-void compare_stokes(const Picture& left, const Picture& right, const std::vector<std::size_t>& pixels,
-                    Difference& difference) {
-  const std::size_t wavelengths = left.frame.lambda_nm.size();
-  std::vector<float> squares(left.frame.plane(), 0);
-  for (int s = 0; s < 4; ++s)
-    for (std::size_t i = 0; i < wavelengths; ++i) {
-      const float *a = left.frame.component(s, i), *b = right.frame.component(s, i);
-      for (std::size_t p = 0; p < squares.size(); ++p) squares[p] += (a[p] - b[p]) * (a[p] - b[p]);
-    }
-
-  double sum = 0, largest = -1;
-  std::size_t place = 0;
-  for (const std::size_t p : pixels) {
-    const auto square = static_cast<double>(squares[p]);
-    sum += square;
-    if (square > largest) {
-      largest = square;
-      place = p;
-    }
-  }
-  const auto count = static_cast<double>(wavelengths);
-  const auto relative = [&](double square) {
-    return square > 0 ? std::sqrt(square / count) / left.mean_radiance : 0;
-  };
-  difference.rms = relative(sum / static_cast<double>(pixels.size()));
-  difference.largest = relative(largest);
-  difference.x = static_cast<int>(place % static_cast<std::size_t>(left.frame.width));
-  difference.y = static_cast<int>(place / static_cast<std::size_t>(left.frame.width));
 }
 
 Lab lab_of(const Picture& picture, std::size_t pixel, double exposure) {
@@ -70,15 +34,68 @@ double most_ciede2000(const Lab& a, const Lab& b) {
   return std::sqrt(l * l + 2 * (across * across + along * along));
 }
 
-double largest_delta_e(const Picture& left, const Picture& right, const std::vector<std::size_t>& pixels) {
-  const double exposure = left.frame.exposure;
-  double largest = 0;
-  for (const std::size_t p : pixels) {
-    if (std::equal(left.rgb.begin() + 3 * p, left.rgb.begin() + 3 * p + 3, right.rgb.begin() + 3 * p)) continue;
-    const Lab a = lab_of(left, p, exposure), b = lab_of(right, p, exposure);
-    if (most_ciede2000(a, b) > largest) largest = std::max(largest, ciede2000(a, b));
+// What pixels [first, last) differ by.
+struct Band {
+  std::size_t count = 0;                // of those that both have traced
+  double sum = 0, largest = -1;         // of the squares, summed over components and wavelengths
+  std::size_t place = 0;
+  double delta_e = 0;
+};
+
+void compare_stokes(const Picture& left, const Picture& right, std::size_t first, std::size_t last, Band& band) {
+  std::vector<float> squares(last - first, 0);
+  for (int s = 0; s < 4; ++s)
+    for (std::size_t i = 0; i < left.frame.lambda_nm.size(); ++i) {
+      const float *a = left.frame.component(s, i) + first, *b = right.frame.component(s, i) + first;
+      for (std::size_t p = 0; p < squares.size(); ++p) squares[p] += (a[p] - b[p]) * (a[p] - b[p]);
+    }
+  for (std::size_t p = first; p < last; ++p) {
+    if (left.frame.samples[p] == 0 || right.frame.samples[p] == 0) continue;
+    const auto square = static_cast<double>(squares[p - first]);
+    ++band.count;
+    band.sum += square;
+    if (square > band.largest) {
+      band.largest = square;
+      band.place = p;
+    }
   }
-  return largest;
+}
+
+void compare_colours(const Picture& left, const Picture& right, std::size_t first, std::size_t last, Band& band) {
+  const double exposure = left.frame.exposure;
+  for (std::size_t p = first; p < last; ++p) {
+    if (left.frame.samples[p] == 0 || right.frame.samples[p] == 0) continue;
+    const float *a = left.rgb.data() + 3 * p, *b = right.rgb.data() + 3 * p;
+    if (std::equal(a, a + 3, b)) continue;
+    const Lab one = lab_of(left, p, exposure), other = lab_of(right, p, exposure);
+    if (most_ciede2000(one, other) > band.delta_e) band.delta_e = std::max(band.delta_e, ciede2000(one, other));
+  }
+}
+
+// All pixels, in bands on as many cores as there are.
+Band compare(const Picture& left, const Picture& right) {
+  const std::size_t plane = left.frame.plane();
+  const std::size_t bands = std::clamp(std::thread::hardware_concurrency(), 1u, 8u);
+  std::vector<std::future<Band>> parts;
+  for (std::size_t i = 0; i < bands; ++i)
+    parts.push_back(std::async(std::launch::async, [&, first = plane * i / bands, last = plane * (i + 1) / bands] {
+      Band band;
+      compare_stokes(left, right, first, last, band);
+      compare_colours(left, right, first, last, band);
+      return band;
+    }));
+  Band all;
+  for (auto& part : parts) {
+    const Band band = part.get();
+    all.count += band.count;
+    all.sum += band.sum;
+    all.delta_e = std::max(all.delta_e, band.delta_e);
+    if (band.largest > all.largest) {
+      all.largest = band.largest;
+      all.place = band.place;
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -86,13 +103,20 @@ double largest_delta_e(const Picture& left, const Picture& right, const std::vec
 Difference difference(const Picture& left, const Picture& right, const View& view) {
   Difference difference;
   const Frame &a = left.frame, &b = right.frame;
-  if (a.width != b.width || a.height != b.height || a.lambda_nm != b.lambda_nm) return difference;
-  const auto pixels = pixels_of_both(left, right);
-  if (pixels.empty() || a.lambda_nm.empty()) return difference;
+  if (a.width != b.width || a.height != b.height || a.lambda_nm != b.lambda_nm || a.lambda_nm.empty()) return difference;
+  const Band all = compare(left, right);
+  if (all.count == 0) return difference;
+
   difference.comparable = true;
   difference.developed = developed_difference(left, right, view);
-  compare_stokes(left, right, pixels, difference);
-  difference.delta_e_largest = largest_delta_e(left, right, pixels);
+  const auto relative = [&](double square) {
+    return square > 0 ? std::sqrt(square / static_cast<double>(a.lambda_nm.size())) / left.mean_radiance : 0;
+  };
+  difference.rms = relative(all.sum / static_cast<double>(all.count));
+  difference.largest = relative(all.largest);
+  difference.x = static_cast<int>(all.place % static_cast<std::size_t>(a.width));
+  difference.y = static_cast<int>(all.place / static_cast<std::size_t>(a.width));
+  difference.delta_e_largest = all.delta_e;
   return difference;
 }
 
