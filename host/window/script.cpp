@@ -1,0 +1,307 @@
+#include "host/window/script.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <istream>
+#include <map>
+#include <ostream>
+#include <sstream>
+#include <thread>
+
+#include "host/output/frame.hpp"
+#include "host/window/script_state.hpp"
+
+namespace nicol::window {
+namespace {
+
+using Kind = Event::Kind;
+using Words = std::vector<std::string>;
+using Clock = std::chrono::steady_clock;
+
+constexpr double patience_seconds = 300;
+
+Words split(const std::string& line) {
+  Words words;
+  std::istringstream in(line);
+  for (std::string word; in >> std::ws && in.peek() != '#' && in.peek() != std::istream::traits_type::eof();) {
+    if (in.peek() == '"') {
+      in.get();
+      std::getline(in, word, '"');
+    } else {
+      in >> word;
+    }
+    words.push_back(word);
+  }
+  return words;
+}
+
+double number(const std::string& word) {
+  std::size_t end = 0;
+  double value = 0;
+  try {
+    value = std::stod(word, &end);
+  } catch (const std::exception&) {
+    end = 0;
+  }
+  if (end == 0 || end != word.size() || !std::isfinite(value)) throw ScriptError("'" + word + "' is not a number");
+  return value;
+}
+
+const std::string& word_at(const Words& words, std::size_t i) {
+  if (i >= words.size()) throw ScriptError("'" + words.front() + "' lacks a word");
+  return words[i];
+}
+
+preview::Button button_named(const std::string& name) {
+  if (name == "left") return preview::Button::left;
+  if (name == "middle") return preview::Button::middle;
+  if (name == "right") return preview::Button::right;
+  throw ScriptError("a button is left, middle or right, not '" + name + "'");
+}
+
+void replace_in(const std::string& path, const std::string& old, const std::string& text) {
+  std::ifstream in(path, std::ios::binary);
+  std::string all{std::istreambuf_iterator<char>(in), {}};
+  if (!in) throw ScriptError("cannot read " + path);
+  const std::size_t at = all.find(old);
+  if (old.empty() || at == std::string::npos) throw ScriptError("'" + old + "' does not stand in " + path);
+  all.replace(at, old.size(), text);
+  std::ofstream out(path, std::ios::binary);
+  out << all;
+  if (!out.flush()) throw ScriptError("cannot write " + path);
+}
+
+void save(const std::string& path, const Screenshot& shot) {
+  Frame frame;
+  frame.width = shot.width;
+  frame.height = shot.height;
+  frame.cut_off.resize(frame.plane());
+  frame.row_done.assign(static_cast<std::size_t>(frame.height), 1);
+  for (const std::uint8_t byte : shot.rgb) {
+    const double v = byte / 255.0;   // IEC 61966-2-1
+    frame.rgb.push_back(static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4)));
+  }
+  make_sink(path)->write(frame);
+}
+
+}  // namespace
+
+struct Script::Parts {
+  Parts(preview::Session& s, Surface& on, OffscreenSurface* none, ScreenOptions options)
+      : session(s), surface(on), offscreen(none), screen(s, on, options) {}
+
+  preview::Session& session;
+  Surface& surface;
+  OffscreenSurface* offscreen;
+  Screen screen;
+  double first_picture_seconds = 0;
+  bool quit = false;
+
+  void turn() {
+    screen.turn();
+    if (first_picture_seconds == 0 && !session.developed(0).rgb.empty() && session.status(0).step > 0)
+      first_picture_seconds = seconds_since_start();
+  }
+  void settle() {
+    do turn();
+    while (screen.more_to_do());
+  }
+  template <class Is>
+  void until(Is is, const char* what) {
+    const auto end = Clock::now() + std::chrono::duration<double>(patience_seconds);
+    for (settle(); !is(); settle()) {
+      if (screen.ended()) return;
+      if (Clock::now() > end) throw ScriptError(fmt::format("waited {} s in vain for '{}'", patience_seconds, what));
+      surface.wait(0.1);
+    }
+    settle();
+  }
+  void push(Event event) {
+    surface.push(std::move(event));
+    settle();
+  }
+  void move_to(preview::Point at) {
+    Event event;
+    event.at = at;
+    push(event);
+  }
+  void button(Kind kind, preview::Button which) {
+    Event event;
+    event.kind = kind;
+    event.button = which;
+    push(event);
+  }
+  preview::Point place(const Words& words, std::size_t& i);
+  void wait(const Words& words);
+  void drag(const Words& words);
+  void set(const Words& words);
+  void act(const Words& words, std::ostream& answers);
+};
+
+preview::Point Script::Parts::place(const Words& words, std::size_t& i) {
+  const preview::Layout& layout = screen.layout();
+  const std::string& what = word_at(words, i++);
+  if (what == "left" || what == "right") {
+    const preview::Rect& r = layout.picture[what == "right"];
+    const double x = number(word_at(words, i++)), y = number(word_at(words, i++));
+    return {r.x + x * r.width, r.y + y * r.height};
+  }
+  if (what == "divider") {
+    const preview::Rect& d = layout.divider;
+    preview::Point at{d.x + d.width / 2, d.y + d.height / 2};
+    const bool named = i < words.size() && words[i] != "divider" && words[i] != "left" && words[i] != "right";
+    if (named) at.x = number(words[i++]) * surface.logical_width();
+    return at;
+  }
+  if (what == "widget") {
+    const std::string& name = word_at(words, i++);
+    for (const auto& [known, r] : screen.widgets())
+      if (known == name) return {r.x + r.width / 2, r.y + r.height / 2};
+    throw ScriptError("no widget '" + name + "' is to be seen");
+  }
+  return {number(what), number(word_at(words, i++))};
+}
+
+void Script::Parts::wait(const Words& words) {
+  const std::string& what = word_at(words, 1);
+  const auto shown = [&] {
+    for (int pane = 0; pane < 2; ++pane)
+      if (session.status(pane).step == 0 && session.status(pane).failure.empty()) return false;
+    return true;
+  };
+  const auto failed = [&] { return session.status(0).stale || session.status(1).stale || !session.status(0).failure.empty(); };
+  session.update();
+  if (what == "picture") return until(shown, "picture");
+  if (what == "done") return until([&] { return session.pictures_done(); }, "done");
+  if (what == "rest") return until([&] { return session.at_rest(); }, "rest");
+  if (what == "error") return until(failed, "error");
+  const auto end = Clock::now() + std::chrono::duration<double>(number(what));
+  until([&] { return Clock::now() >= end; }, "time");
+}
+
+// A move in steps, as a hand makes it.
+void Script::Parts::drag(const Words& words) {
+  std::size_t i = 1;
+  const preview::Point from = place(words, i), to = place(words, i);
+  const preview::Button which = i < words.size() ? button_named(words[i]) : preview::Button::left;
+  move_to(from);
+  button(Kind::mouse_press, which);
+  constexpr int steps = 8;
+  for (int step = 1; step <= steps; ++step)
+    move_to({from.x + (to.x - from.x) * step / steps, from.y + (to.y - from.y) * step / steps});
+  button(Kind::mouse_release, which);
+}
+
+void Script::Parts::set(const Words& words) {
+  const std::string& name = word_at(words, 1);
+  const std::string& value = word_at(words, 2);
+  preview::Controls& c = session.controls;
+  const std::map<std::string, double*> numbers{{"analyzer", &c.analyzer_deg}, {"polarizer", &c.polarizer_deg},
+                                               {"exposure", &c.exposure_stops}, {"amplification", &c.amplification},
+                                               {"divider", &c.divider}};
+  if (const auto found = numbers.find(name); found != numbers.end()) {
+    *found->second = number(value);
+  } else if (name == "wavelength" && value == "none") {
+    c.scrubbed.reset();
+  } else if (name == "wavelength") {
+    const auto& lambda_nm = session.status(0).lambda_nm;
+    if (lambda_nm.empty()) throw ScriptError("there are no wavelengths yet");
+    const double wanted_nm = number(value);
+    std::size_t nearest = 0;
+    for (std::size_t w = 0; w < lambda_nm.size(); ++w)
+      if (std::fabs(lambda_nm[w] - wanted_nm) < std::fabs(lambda_nm[nearest] - wanted_nm)) nearest = w;
+    c.scrubbed = nearest;
+  } else if (name == "left" || name == "right") {
+    const auto quantity = preview::quantity_named(value);
+    if (!quantity) throw ScriptError("there is no view '" + value + "'");
+    c.view[name == "right"].quantity = *quantity;
+  } else {
+    throw ScriptError("'" + name + "' cannot be set");
+  }
+  settle();
+}
+
+void Script::Parts::act(const Words& words, std::ostream& answers) {
+  const std::string& verb = words.front();
+  std::size_t i = 1;
+  const auto which = [&] { return i < words.size() ? button_named(words[i]) : preview::Button::left; };
+  if (verb == "wait") {
+    wait(words);
+  } else if (verb == "key") {
+    Event event;
+    event.kind = Kind::key_press;
+    event.key = word_at(words, 1);
+    surface.push(event);
+    event.kind = Kind::key_release;
+    push(event);
+  } else if (verb == "do") {
+    if (!preview::act_by_name(session, word_at(words, 1))) throw ScriptError("there is no action '" + words[1] + "'");
+    settle();
+  } else if (verb == "move") {
+    move_to(place(words, i));
+  } else if (verb == "press") {
+    button(Kind::mouse_press, which());
+  } else if (verb == "release") {
+    button(Kind::mouse_release, which());
+  } else if (verb == "click") {
+    move_to(place(words, i));
+    button(Kind::mouse_press, which());
+    button(Kind::mouse_release, which());
+  } else if (verb == "drag") {
+    drag(words);
+  } else if (verb == "scroll") {
+    Event event;
+    event.kind = Kind::scroll;
+    event.scroll_up = number(word_at(words, 1));
+    push(event);
+  } else if (verb == "size") {
+    if (!offscreen) throw ScriptError("'size' is for scripts without a display");
+    const double width = number(word_at(words, 1)), height = number(word_at(words, 2));
+    if (width < 1 || height < 1 || width > 16384 || height > 16384) throw ScriptError("a window has 1 to 16384 pixels a side");
+    offscreen->resize(static_cast<int>(width), static_cast<int>(height));
+    settle();
+  } else if (verb == "set") {
+    set(words);
+  } else if (verb == "replace") {
+    replace_in(word_at(words, 1), word_at(words, 2), word_at(words, 3));
+  } else if (verb == "screenshot") {
+    settle();
+    save(word_at(words, 1), screen.screenshot());
+  } else if (verb == "state") {
+    answers << state_text(session, surface, screen, first_picture_seconds) << std::endl;
+  } else if (verb == "pixel") {
+    const int pane = word_at(words, 1) == "right";
+    answers << pixel_text(session, pane, static_cast<int>(number(word_at(words, 2))), static_cast<int>(number(word_at(words, 3)))) << std::endl;
+  } else if (verb == "quit") {
+    quit = true;
+  } else {
+    throw ScriptError("there is no command '" + verb + "'");
+  }
+}
+
+Script::Script(preview::Session& session, Surface& surface, OffscreenSurface* offscreen, ScreenOptions options)
+    : parts_(std::make_unique<Parts>(session, surface, offscreen, options)) {}
+Script::~Script() = default;
+
+void Script::run(std::istream& commands, std::ostream& answers, bool interactive) {
+  Parts& p = *parts_;
+  int number_of_line = 0;
+  p.settle();
+  for (std::string line; !p.quit && !p.screen.ended() && std::getline(commands, line);) {
+    ++number_of_line;
+    try {
+      const Words words = split(line);
+      if (!words.empty()) p.act(words, answers);
+      if (interactive) answers << "ok" << std::endl;
+    } catch (const std::exception& error) {
+      if (!interactive) throw ScriptError(fmt::format("line {}: {}", number_of_line, error.what()));
+      answers << "error: " << error.what() << std::endl;
+    }
+  }
+}
+
+}  // namespace nicol::window
