@@ -13,6 +13,7 @@
 #include "host/app/interrupt.hpp"
 #include "host/app/povray_switches.hpp"
 #include "host/app/preview_command.hpp"
+#include "host/opencl/render.hpp"
 #include "sdl/diagnostics.hpp"
 
 namespace {
@@ -265,6 +266,7 @@ int complain(const char* message) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (const auto code = nicol::serve_as_builder(argc, argv)) return *code;
   try {
     catch_interrupts();
     return run({argv + 1, argv + argc});
