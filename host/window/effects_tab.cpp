@@ -9,6 +9,8 @@
 namespace nicol::window {
 namespace {
 
+constexpr std::size_t most_rows = 8;   // before they scroll
+
 // What a sample costs beside the same with all effects.
 void cost(const char* name, const preview::PaneStatus& status) {
   if (status.pass_seconds <= 0) return;
@@ -48,8 +50,10 @@ void effects_tab(Ui& ui) {
     return;
   }
   const ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg;
-  const float rows = ImGui::GetContentRegionAvail().y - 2 * ImGui::GetTextLineHeightWithSpacing() - 4;
-  if (ImGui::BeginTable("effects", 3, flags, {0, std::max(60.0F, rows)})) {
+  const float row = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const std::size_t shown = std::min(status.effects.size(), most_rows);
+  const float rows = ImGui::GetTextLineHeight() + 8 + row * static_cast<float>(shown);
+  if (ImGui::BeginTable("effects", 3, flags, {0, rows})) {
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 24);
     ImGui::TableSetupColumn("both panes", ImGuiTableColumnFlags_WidthStretch);

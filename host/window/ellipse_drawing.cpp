@@ -1,4 +1,5 @@
-// A polarization ellipse as the receiver sees it, x to the right, y up: right-handed light turns clockwise (conventions: kernels/README.md).
+// A polarization ellipse as the receiver sees it, x to the right, y up: right-handed light turns clockwise
+// (conventions: kernels/README.md).
 #include <array>
 #include <cmath>
 
@@ -39,7 +40,8 @@ ImU32 handedness_colour(const preview::Ellipse& ellipse) {
   return ellipse.ellipticity_rad > 0 ? colours::right_handed : colours::left_handed;
 }
 
-void draw_ellipse(ImDrawList& list, ImVec2 middle, float radius, const preview::Ellipse& ellipse, bool arrow, float thickness) {
+void draw_ellipse(ImDrawList& list, ImVec2 middle, float radius, const preview::Ellipse& ellipse, bool arrow,
+                  float thickness) {
   const double size = radius * ellipse.degree;
   const ImU32 colour = handedness_colour(ellipse);
   if (std::abs(ellipse.ellipticity_rad) < linear_below_rad) {
@@ -48,7 +50,8 @@ void draw_ellipse(ImDrawList& list, ImVec2 middle, float radius, const preview::
   }
   std::array<ImVec2, 48> points;
   const int count = radius > 20 ? 48 : 16;
-  for (int i = 0; i < count; ++i) points[static_cast<std::size_t>(i)] = point_at(middle, size, ellipse, 2 * pi * i / count);
+  for (int i = 0; i < count; ++i)
+    points[static_cast<std::size_t>(i)] = point_at(middle, size, ellipse, 2 * pi * i / count);
   list.AddPolyline(points.data(), count, colour, ImDrawFlags_Closed, thickness);
   if (arrow && size > 6) arrow_head(list, middle, size, ellipse, thickness);
 }

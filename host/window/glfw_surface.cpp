@@ -19,8 +19,8 @@ const std::map<int, std::string>& named_keys() {
         {GLFW_KEY_LEFT, "left"}, {GLFW_KEY_RIGHT, "right"}, {GLFW_KEY_UP, "up"}, {GLFW_KEY_DOWN, "down"},
         {GLFW_KEY_ESCAPE, "escape"}, {GLFW_KEY_ENTER, "enter"}, {GLFW_KEY_KP_ENTER, "enter"}, {GLFW_KEY_TAB, "tab"},
         {GLFW_KEY_BACKSPACE, "backspace"}, {GLFW_KEY_DELETE, "delete"}, {GLFW_KEY_INSERT, "insert"},
-        {GLFW_KEY_HOME, "home"}, {GLFW_KEY_END, "end"}, {GLFW_KEY_PAGE_UP, "page_up"},
-        {GLFW_KEY_PAGE_DOWN, "page_down"}, {GLFW_KEY_SPACE, "space"}};
+        {GLFW_KEY_HOME, "home"}, {GLFW_KEY_END, "end"}, {GLFW_KEY_PAGE_UP, "pageup"},
+        {GLFW_KEY_PAGE_DOWN, "pagedown"}, {GLFW_KEY_SPACE, "space"}};
     for (int i = 0; i < 12; ++i) all[GLFW_KEY_F1 + i] = "F" + std::to_string(i + 1);
     for (int i = 0; i < 10; ++i) all[GLFW_KEY_0 + i] = all[GLFW_KEY_KP_0 + i] = std::to_string(i);
     return all;
@@ -109,7 +109,9 @@ class GlfwSurface : public Surface {
   static GlfwSurface& of(GLFWwindow* window) { return *static_cast<GlfwSurface*>(glfwGetWindowUserPointer(window)); }
 
   Event event(Event::Kind kind) const {
-    const auto down = [&](int a, int b) { return glfwGetKey(window_, a) == GLFW_PRESS || glfwGetKey(window_, b) == GLFW_PRESS; };
+    const auto down = [&](int a, int b) {
+      return glfwGetKey(window_, a) == GLFW_PRESS || glfwGetKey(window_, b) == GLFW_PRESS;
+    };
     Event e;
     e.kind = kind;
     e.shift = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
@@ -121,7 +123,8 @@ class GlfwSurface : public Surface {
   void listen() {
     glfwSetWindowUserPointer(window_, this);
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { of(w).moved(x, y); });
-    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) { of(w).button(button, action); });
+    glfwSetMouseButtonCallback(
+        window_, [](GLFWwindow* w, int button, int action, int) { of(w).button(button, action); });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double right, double up) {
       Event e = of(w).event(Event::Kind::scroll);
       e.scroll_right = right;

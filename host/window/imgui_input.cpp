@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <utility>
 
 namespace nicol::window {
 namespace {
@@ -17,7 +18,7 @@ struct KnownKey {
 // ImGui knows a key by its index here.
 constexpr std::array<KnownKey, 20> known_keys = {{
     {ImGuiKey_Tab, "tab"}, {ImGuiKey_LeftArrow, "left"}, {ImGuiKey_RightArrow, "right"}, {ImGuiKey_UpArrow, "up"},
-    {ImGuiKey_DownArrow, "down"}, {ImGuiKey_PageUp, "page_up"}, {ImGuiKey_PageDown, "page_down"}, {ImGuiKey_Home, "home"},
+    {ImGuiKey_DownArrow, "down"}, {ImGuiKey_PageUp, "pageup"}, {ImGuiKey_PageDown, "pagedown"}, {ImGuiKey_Home, "home"},
     {ImGuiKey_End, "end"}, {ImGuiKey_Insert, "insert"}, {ImGuiKey_Delete, "delete"}, {ImGuiKey_Backspace, "backspace"},
     {ImGuiKey_Space, "space"}, {ImGuiKey_Enter, "enter"}, {ImGuiKey_Escape, "escape"}, {ImGuiKey_A, "a"},
     {ImGuiKey_C, "c"}, {ImGuiKey_V, "v"}, {ImGuiKey_X, "x"}, {ImGuiKey_Z, "z"}}};
@@ -63,7 +64,11 @@ std::vector<Event> ImguiInput::take(Surface& surface) {
 
 void ImguiInput::feed(const Event& event) {
   ImGuiIO& io = ImGui::GetIO();
-  if (event.kind < Kind::character) io.KeyShift = event.shift, io.KeyCtrl = event.ctrl, io.KeyAlt = event.alt;
+  if (event.kind < Kind::character) {
+    io.KeyShift = event.shift;
+    io.KeyCtrl = event.ctrl;
+    io.KeyAlt = event.alt;
+  }
   switch (event.kind) {
     case Kind::mouse_move:
       io.MousePos = {static_cast<float>(event.at.x), static_cast<float>(event.at.y)};

@@ -11,8 +11,9 @@ class ImguiInput {
  public:
   ImguiInput();                            // needs ImGui's context
 
-  // Takes the events of one turn, feeds them to ImGui and gives them back. ImGui sees the state at the turn's end only: so
-  // a turn ends after a mouse button changed, and before one changes where the mouse has moved, or where a key just pressed is let go.
+  // Takes the events of one turn, feeds them to ImGui and gives them back. ImGui sees the state at the turn's end
+  // only: so a turn ends after a mouse button changed, before one changes where the mouse has moved, and before a key
+  // just pressed is let go.
   std::vector<Event> take(Surface& surface);
   bool has_more(const Surface& surface) const { return held_ || surface.has_events(); }
 

@@ -20,13 +20,15 @@ void source_line(const Message& message, int number, const std::string& text) {
   const bool here = number == message.line;
   const ShownLine line = shown_line(text, here ? message.column : 0);
   if (here) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetWindowWidth() + ImGui::GetScrollMaxX();
-    ImGui::GetWindowDrawList()->AddRectFilled({ImGui::GetWindowPos().x, at.y - 1}, {ImGui::GetWindowPos().x + width, at.y + ImGui::GetTextLineHeight() + 1},
-                                              message.error ? IM_COL32(96, 40, 34, 255) : IM_COL32(84, 68, 30, 255));
+    const float left = ImGui::GetWindowPos().x, top = ImGui::GetCursorScreenPos().y - 1;
+    const ImVec2 end{left + ImGui::GetWindowWidth(), top + ImGui::GetTextLineHeight() + 2};
+    const ImU32 behind = message.error ? IM_COL32(96, 40, 34, 255) : IM_COL32(84, 68, 30, 255);
+    ImGui::GetWindowDrawList()->AddRectFilled({left, top}, end, behind);
   }
   ImGui::TextUnformatted(fmt::format("{:>6} {} {}", number, here ? '>' : '|', line.text).c_str());
-  if (line.caret >= 0) ImGui::TextColored(colour_of(message.error), "%s", fmt::format("{:>{}}", '^', 10 + line.caret).c_str());
+  if (line.caret < 0) return;
+  const std::string caret(static_cast<std::size_t>(9 + line.caret), ' ');   // below "%6d > "
+  ImGui::TextColored(colour_of(message.error), "%s^", caret.c_str());
 }
 
 void show(const Ui& ui, const Message& message) {
@@ -73,7 +75,7 @@ void warnings(const Ui& ui, const PaneStatus& status) {
 void errors_window(Ui& ui, const PaneStatus& status, const preview::Rect& pane, const char* name) {
   const double height = std::min(0.55 * pane.height, 18.0 * rows_of(status));
   const preview::Rect place{pane.x, pane.y + pane.height - height, pane.width, height};
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, {0.10F, 0.10F, 0.10F, 0.94F});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, {0.10F, 0.10F, 0.10F, 1});
   ImGui::SetNextWindowPos(corner(place));
   ImGui::SetNextWindowSize(vec(place.width, place.height));
   ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
@@ -100,9 +102,10 @@ void warnings_window(Ui& ui, const PaneStatus& status, const preview::Rect& pane
   ImGui::SetNextWindowPos(vec(pane.x, pane.y + pane.height), ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSizeConstraints({0, 0}, vec(pane.width, 0.55 * pane.height));
   ImGui::SetNextWindowBgAlpha(0.85F);
-  ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                  ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
   warnings(ui, status);
   ImGui::End();
 }

@@ -1,4 +1,5 @@
-// OpenGL without a display: EGL's surfaceless platform (EGL_MESA_platform_surfaceless), drawing into a framebuffer object.
+// OpenGL without a display: EGL's surfaceless platform (EGL_MESA_platform_surfaceless), drawing into a framebuffer
+// object.
 #include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>

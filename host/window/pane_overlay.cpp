@@ -18,7 +18,13 @@ using preview::Rect;
 constexpr float margin = 8;
 
 bool shows_difference(const Ui& ui, int pane) {
-  return pane == 1 && ui.session.controls.show_difference && ui.session.two_renders();
+  return pane == 1 && ui.session.difference();
+}
+
+std::string kind_of_picture(const Ui& ui, int pane) {
+  if (shows_difference(ui, pane)) return "difference |left - right|";
+  const bool before = pane == 1 && ui.session.two_renders() && !ui.session.compares();
+  return before ? "before the analyzer" : "";
 }
 
 // Text on a shade; answers where it ends below.
@@ -33,7 +39,8 @@ float title(const Ui& ui, ImDrawList& list, int pane, const Rect& place) {
   const preview::PaneStatus& status = ui.session.status(pane);
   const float width = static_cast<float>(place.width) - 2 * margin;
   const ImVec2 at = vec(place.x + margin, place.y + margin);
-  const std::string text = pane_title(status, ui.session.shown_view(pane), shows_difference(ui, pane));
+  const preview::View view = ui.session.shown_view(shows_difference(ui, pane) ? 0 : pane);
+  const std::string text = pane_title(status, view, kind_of_picture(ui, pane));
   float below = shaded_text(list, at, colours::text, shortened(text, width));
   if (!status.chosen.empty()) below = shaded_text(list, {at.x, below}, colours::dim, shortened(status.chosen, width));
   if (status.stale)
@@ -49,7 +56,8 @@ ImU32 shown_colour(const std::array<float, 3>& linear) {
 // A bar of false colours with its ends' values.
 void scale(const Ui& ui, ImDrawList& list, int pane, ImVec2 at) {
   if (shows_difference(ui, pane)) {
-    shaded_text(list, at, colours::dim, fmt::format("amplified {} times", short_number(ui.session.controls.amplification)));
+    const std::string amplification = short_number(ui.session.controls.amplification);
+    shaded_text(list, at, colours::dim, fmt::format("amplified {} times", amplification));
     return;
   }
   const preview::Scale scale = preview::scale_of(ui.session.shown_view(pane));
@@ -84,10 +92,12 @@ void ellipses(const Ui& ui, ImDrawList& list, int pane, ImVec2 note_at) {
   const double per_pixel = picture.width / std::max(1, controls.width);
   const float radius = static_cast<float>(0.46 * spacing * per_pixel);
   for (const preview::Ellipse& ellipse : ui.session.ellipses(pane, spacing))
-    draw_ellipse(list, vec(picture.x + per_pixel * ellipse.x, picture.y + per_pixel * ellipse.y), radius, ellipse, false, 1.2F);
+    draw_ellipse(list, vec(picture.x + per_pixel * ellipse.x, picture.y + per_pixel * ellipse.y), radius, ellipse,
+                 false, 1.2F);
   float x = note_at.x;
   for (const auto& [text, colour] : {std::pair{"right-handed", colours::right_handed},
-                                     std::pair{"left-handed", colours::left_handed}, std::pair{"linear", colours::linear}}) {
+                                     std::pair{"left-handed", colours::left_handed},
+                                     std::pair{"linear", colours::linear}}) {
     shaded_text(list, {x, note_at.y}, colour, text);
     x += ImGui::CalcTextSize(text).x + 10;
   }
@@ -109,7 +119,8 @@ void waiting(const Ui& ui, ImDrawList& list, int pane, const Rect& place) {
   if (status.step > 0 || !status.failure.empty() || !(status.reading || status.working)) return;
   const char* text = status.reading ? "reading the scene ..." : "tracing ...";
   const ImVec2 size = ImGui::CalcTextSize(text);
-  shaded_text(list, vec(place.x + (place.width - size.x) / 2, place.y + (place.height - size.y) / 2), colours::dim, text);
+  const ImVec2 at = vec(place.x + (place.width - size.x) / 2, place.y + (place.height - size.y) / 2);
+  shaded_text(list, at, colours::dim, text);
 }
 
 }  // namespace

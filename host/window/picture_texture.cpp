@@ -86,9 +86,9 @@ void PictureTexture::take(const preview::Developed& developed, std::uint64_t ver
   version_ = version;
   has_mipmaps_ = false;
   const bool whole = developed.rgb.size() == std::size_t{3} * developed.width * developed.height;
-  width_ = whole ? developed.width : 0;
-  height_ = whole ? developed.height : 0;
-  if (width_ == 0 || height_ == 0) return;
+  width_ = whole && developed.height > 0 ? developed.width : 0;
+  height_ = developed.height;
+  if (width_ <= 0) return;
   glBindTexture(GL_TEXTURE_2D, texture_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, width_, height_, 0, GL_RGB, GL_FLOAT, developed.rgb.data());
@@ -101,8 +101,11 @@ void PictureTexture::draw(const PictureShader& shader, const PixelRect& wanted, 
                           double factor) {
   // Rounding of the layout must not resample a picture that fits.
   PixelRect place = wanted;
-  if (std::abs(place.width - width_) <= 1 && std::abs(place.height - height_) <= 1) place.width = width_, place.height = height_;
-  if (width_ == 0 || height_ == 0 || place.width <= 0 || place.height <= 0 || clip.width <= 0 || clip.height <= 0) return;
+  if (std::abs(place.width - width_) <= 1 && std::abs(place.height - height_) <= 1) {
+    place.width = width_;
+    place.height = height_;
+  }
+  if (width_ <= 0 || place.width <= 0 || place.height <= 0 || clip.width <= 0 || clip.height <= 0) return;
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, texture_);
   const bool minified = place.width < width_ || place.height < height_;

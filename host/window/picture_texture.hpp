@@ -37,8 +37,8 @@ class PictureTexture {
   // Uploads it, unless that version is there already. Linear sRGB, rows from the top; an empty one draws nothing.
   void take(const preview::Developed& developed, std::uint64_t version);
 
-  // Into the framebuffer that is bound, of `height` rows: shows srgb(factor * rgb) (IEC 61966-2-1), cut at `clip`. Pixels stay squares
-  // when magnified, and are averaged in linear light when there are more than fit.
+  // Into the framebuffer that is bound, of `height` rows: shows srgb(factor * rgb) (IEC 61966-2-1), cut at `clip`.
+  // Pixels stay squares when magnified, and are averaged in linear light when there are more than fit.
   void draw(const PictureShader& shader, const PixelRect& place, const PixelRect& clip, int height, double factor);
 
  private:

@@ -38,12 +38,20 @@ void row(const Fonts& fonts, const char* name, const Both& both, int columns, Te
 
 // Three numbers: one row for one pane, three for two.
 template <class Values>
-void rows_of_three(const Fonts& fonts, const char* name, const char* letters, const Both& both, int columns, Values&& values) {
-  if (columns == 1) return row(fonts, name, both, 1, [&](const PixelInfo& i) { return triple(values(i)); });
+void rows_of_three(const Fonts& fonts, const std::string& name, const char* letters, const Both& both, int columns,
+                   Values&& values) {
+  const auto all = [&](const PixelInfo& i) { return triple(values(i)); };
+  if (columns == 1) return row(fonts, (name + letters).c_str(), both, 1, all);
   for (std::size_t c = 0; c < 3; ++c) {
-    const std::string one = fmt::format("{} {}", name, letters[c]);
+    const std::string one = fmt::format("{}{}", name, letters[c]);
     row(fonts, one.c_str(), both, columns, [&](const PixelInfo& i) { return short_number(values(i)[c]); });
   }
+}
+
+// In [0, 180), as the false colours have it.
+double azimuth_deg(const PixelInfo& info) {
+  const double deg = std::fmod(deg_per_rad * info.ellipse.azimuth_rad, 180.0);
+  return deg < 0 ? deg + 180 : deg;
 }
 
 std::string handedness(const PixelInfo& info) {
@@ -52,32 +60,33 @@ std::string handedness(const PixelInfo& info) {
   return chi_deg > 0 ? " right" : " left";
 }
 
-std::string hex(const std::array<int, 3>& srgb) { return fmt::format("#{:02x}{:02x}{:02x}", srgb[0], srgb[1], srgb[2]); }
-
 void figures(const Fonts& fonts, const Both& both, int columns) {
-  if (!ImGui::BeginTable("figures", 1 + columns, ImGuiTableFlags_SizingStretchSame)) return;
-  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 84);
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4, 0.5F});
+  const bool open = ImGui::BeginTable("figures", 1 + columns, ImGuiTableFlags_SizingStretchSame);
+  ImGui::PopStyleVar();
+  if (!open) return;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 108);
   for (int i = 0; i < columns; ++i) ImGui::TableSetupColumn(i == 0 ? "first" : "second");
-  row(fonts, "azimuth", both, columns, [](const PixelInfo& i) { return fmt::format("{:.2f} deg", deg_per_rad * i.ellipse.azimuth_rad); });
-  row(fonts, "ellipticity", both, columns, [](const PixelInfo& i) {
-    return fmt::format("{:+.2f} deg{}", deg_per_rad * i.ellipse.ellipticity_rad, handedness(i));
+  row(fonts, "azimuth (deg)", both, columns, [](const PixelInfo& i) { return fmt::format("{:.1f}", azimuth_deg(i)); });
+  row(fonts, "ellipticity (deg)", both, columns, [](const PixelInfo& i) {
+    return fmt::format("{:+.1f}{}", deg_per_rad * i.ellipse.ellipticity_rad, handedness(i));
   });
-  row(fonts, "degree", both, columns, [](const PixelInfo& i) { return fmt::format("{:.2f} %", 100 * i.ellipse.degree); });
-  rows_of_three(fonts, "XYZ", "XYZ", both, columns, [](const PixelInfo& i) { return i.xyz; });
-  rows_of_three(fonts, "linear RGB", "RGB", both, columns, [](const PixelInfo& i) { return i.rgb; });
-  row(fonts, "sRGB 8 bit", both, columns, [](const PixelInfo& i) { return fmt::format("{} {} {}", i.srgb[0], i.srgb[1], i.srgb[2]); });
-  row(fonts, "", both, columns, [](const PixelInfo& i) { return hex(i.srgb); });
+  row(fonts, "degree", both, columns,
+      [](const PixelInfo& i) { return fmt::format("{:.2f} %", 100 * i.ellipse.degree); });
+  rows_of_three(fonts, "", "XYZ", both, columns, [](const PixelInfo& i) { return i.xyz; });
+  rows_of_three(fonts, "linear ", "RGB", both, columns, [](const PixelInfo& i) { return i.rgb; });
+  row(fonts, "sRGB 8 bit", both, columns, [](const PixelInfo& i) { return fmt::format("{}", fmt::join(i.srgb, " ")); });
   row(fonts, "samples", both, columns, [](const PixelInfo& i) {
     return i.block > 1 ? fmt::format("block {0}x{0}", i.block) : fmt::format("{}", i.samples);
   });
-  row(fonts, "cut off", both, columns, [](const PixelInfo& i) { return fmt::format("weight {}", short_number(i.cut_off)); });
-  row(fonts, "at most", both, columns, [](const PixelInfo& i) { return fmt::format("{} per nm", short_number(i.cut_off_radiance)); });
+  row(fonts, "cut-off weight", both, columns, [](const PixelInfo& i) { return short_number(i.cut_off); });
+  row(fonts, "bound (per nm)", both, columns, [](const PixelInfo& i) { return short_number(i.cut_off_radiance); });
   ImGui::EndTable();
 }
 
 // Ellipses in their circles of full polarization, beside them the colours.
 void shapes(const Both& both, int columns) {
-  constexpr float radius = 38;
+  constexpr float radius = 33;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float share = ImGui::GetContentRegionAvail().x / static_cast<float>(columns);
@@ -89,11 +98,19 @@ void shapes(const Both& both, int columns) {
     list.AddLine({middle.x - radius, middle.y}, {middle.x + radius, middle.y}, IM_COL32(255, 255, 255, 24));
     list.AddLine({middle.x, middle.y - radius}, {middle.x, middle.y + radius}, IM_COL32(255, 255, 255, 24));
     draw_ellipse(list, middle, radius, info->ellipse, true, 1.6F);
-    const ImVec2 swatch{middle.x + radius + 12, at.y + 2}, end{at.x + share * static_cast<float>(i + 1) - 6, at.y + 2 * radius + 2};
+    const ImVec2 swatch{middle.x + radius + 12, at.y + 2};
+    const ImVec2 end{at.x + share * static_cast<float>(i + 1) - 6, at.y + 2 * radius + 2};
     list.AddRectFilled(swatch, end, IM_COL32(info->srgb[0], info->srgb[1], info->srgb[2], 255));
     list.AddRect(swatch, end, colours::faint);
   }
   ImGui::Dummy({0, 2 * radius + 4});
+}
+
+// A name, and text that is wrapped beside it.
+void told(const char* name, const std::string& text) {
+  ImGui::TextDisabled("%s", name);
+  ImGui::SameLine(84);
+  ImGui::TextUnformatted(text.c_str());
 }
 
 void path(Ui& ui) {
@@ -104,13 +121,10 @@ void path(Ui& ui) {
     return;
   }
   ImGui::PushTextWrapPos();
-  ImGui::TextDisabled("effects met");
-  ImGui::TextUnformatted(met->effects.empty() ? "none" : fmt::format("{}", fmt::join(met->effects, ", ")).c_str());
-  ImGui::TextDisabled("cells met");
-  for (const std::string& cell : met->cells) ImGui::TextUnformatted(cell.c_str());
-  if (met->cells.empty()) ImGui::TextUnformatted("none");
-  ImGui::TextDisabled("ends at");
-  ImGui::TextUnformatted(met->ends.empty() ? "nothing" : met->ends.c_str());
+  const std::string effects = fmt::format("{}", fmt::join(met->effects, ", "));
+  told("effects met", effects.empty() ? "none" : effects);
+  for (std::size_t i = 0; i < met->cells.size(); ++i) told(i == 0 ? "cells met" : "", met->cells[i]);
+  told("ends at", met->ends.empty() ? "nothing" : met->ends);
   ImGui::PopTextWrapPos();
 }
 
@@ -145,7 +159,7 @@ void pixel_panel(Ui& ui) {
     return;
   }
   Both both{info[0] ? &*info[0] : nullptr, info[1] ? &*info[1] : nullptr};
-  spectrum_plot(ui.fonts, {ImGui::GetContentRegionAvail().x, 150}, *both[own], two ? both[1 - own] : nullptr);
+  spectrum_plot(ui.fonts, {ImGui::GetContentRegionAvail().x, 134}, *both[own], two ? both[1 - own] : nullptr);
   if (!two) both[0] = both[own];
   shapes(both, two ? 2 : 1);
   figures(ui.fonts, both, two ? 2 : 1);

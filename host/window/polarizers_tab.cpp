@@ -58,13 +58,17 @@ void polarizers_tab(Ui& ui) {
   ImGui::BeginDisabled(controls.analyzer == Analyzer::none);
   angle(ui, "analyzer", controls.analyzer_deg);
   ImGui::EndDisabled();
+  ImGui::Checkbox("right pane: before the analyzer", &controls.before_analyzer);
+  ui.mark("before analyzer");
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("one scene: the right pane is a render of the light that arrives at the analyzer");
   ImGui::Separator();
   ImGui::TextDisabled("All other polarizers of the scene");
   angle(ui, "polarizer", controls.polarizer_deg);
   ImGui::Separator();
   ImGui::PushTextWrapPos();
-  ImGui::TextDisabled("Counter-clockwise, from where the scene has them: the analyzer as the picture shows it, a polarizer as "
-                      "seen from the side that its normal points to.");
+  ImGui::TextDisabled("Counter-clockwise, from where the scene has them: the analyzer as the picture shows it, a "
+                      "polarizer as seen from the side that its normal points to.");
   ImGui::PopTextWrapPos();
 }
 

@@ -6,7 +6,7 @@
 namespace nicol::window {
 namespace {
 
-constexpr float tabs_height = 284, least_pixel_height = 220;
+constexpr float least_pixel_height = 220;
 
 struct Tab {
   const char* name;
@@ -31,11 +31,12 @@ void tab_bar(Ui& ui) {
 void side_panel(Ui& ui) {
   if (ui.layout.panel.width <= 0) return;
   if (begin_fixed("panel", ui.layout.panel)) {
+    // One above the other: the tab as high as it was in the last frame, but where that leaves too little for the pixel.
     const float height = static_cast<float>(ui.layout.panel.height);
-    // One above the other, at least a third for each.
-    const float above = std::min(tabs_height, std::max(height / 3, height - least_pixel_height));
-    ImGui::BeginChild("tab", {0, above});
+    float& needed = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("tab height"), 240);
+    ImGui::BeginChild("tab", {0, std::min(needed, std::max(height / 3, height - least_pixel_height))});
     tab_bar(ui);
+    needed = ImGui::GetCursorPosY();
     ImGui::EndChild();
     ImGui::Separator();
     ImGui::BeginChild("pixel");

@@ -46,7 +46,7 @@ Axes axes_of(const Fonts& fonts, ImVec2 at, ImVec2 size, const PixelInfo& shown,
   const float line = ImGui::GetTextLineHeight();
   const float number = fonts.mono->CalcTextSizeA(ImGui::GetFontSize() * 0.86F, 1e4F, 0, "-0.0000").x;
   axes.low = {at.x + number + 6, at.y + line + 4};
-  axes.high = {at.x + size.x - 6, at.y + size.y - line - 2};
+  axes.high = {at.x + size.x - 14, at.y + size.y - line - 2};
   axes.from = shown.lambda_nm.front();
   axes.to = shown.lambda_nm.back();
   if (!(axes.to > axes.from)) axes.from = 0, axes.to = 4;
@@ -64,8 +64,9 @@ void draw_axes(ImDrawList& list, const Fonts& fonts, const Axes& axes, bool in_n
   const ImU32 grid = IM_COL32(255, 255, 255, 22);
   for (const double v : ticks(axes.least, axes.most, 5)) {
     const float y = axes.y(v);
-    list.AddLine({axes.low.x, y}, {axes.high.x, y}, std::abs(v) < 1e-12 * axes.most ? colours::faint : grid);
-    number_at(list, fonts, {axes.low.x - 5, y - line / 2 + 1}, 1, colours::dim, short_number(std::abs(v) < 1e-12 * axes.most ? 0 : v));
+    const bool zero = std::abs(v) < 1e-9 * (axes.most - axes.least);
+    list.AddLine({axes.low.x, y}, {axes.high.x, y}, zero ? colours::faint : grid);
+    number_at(list, fonts, {axes.low.x - 5, y - line / 2 + 1}, 1, colours::dim, fmt::format("{:g}", zero ? 0 : v));
   }
   if (in_nm)
     for (const double v : ticks(axes.from, axes.to, 5)) {
@@ -129,8 +130,10 @@ std::size_t nearest(const std::vector<double>& lambda_nm, double at) {
 
 std::string values_text(const PixelInfo& info, std::size_t index) {
   std::string text;
-  for (std::size_t s = 0; s < 4; ++s)
-    if (index < info.stokes[s].size()) text += fmt::format("{}{} {}", s ? "\n" : "", stokes_names[s], short_number(info.stokes[s][index]));
+  for (std::size_t s = 0; s < 4; ++s) {
+    if (index >= info.stokes[s].size()) continue;
+    text += fmt::format("{}{} {}", s ? "\n" : "", stokes_names[s], short_number(info.stokes[s][index]));
+  }
   return text;
 }
 
@@ -140,7 +143,8 @@ void read_off(ImDrawList& list, const Axes& axes, const PixelInfo& shown, const 
   const bool lone = shown.lambda_nm.size() < 2;
   const double at = axes.from + (axes.to - axes.from) * (mouse.x - axes.low.x) / (axes.high.x - axes.low.x);
   const std::size_t index = lone ? 0 : nearest(shown.lambda_nm, at);
-  if (!lone) list.AddLine({axes.x(shown.lambda_nm[index]), axes.low.y}, {axes.x(shown.lambda_nm[index]), axes.high.y}, colours::dim);
+  const float x = axes.x(shown.lambda_nm[index]);
+  if (!lone) list.AddLine({x, axes.low.y}, {x, axes.high.y}, colours::dim);
   std::string text = fmt::format("{:.6g} nm\n{}", shown.lambda_nm[index], values_text(shown, index));
   if (other && index < other->lambda_nm.size()) text += "\ndashed:\n" + values_text(*other, index);
   ImGui::SetTooltip("%s", text.c_str());
@@ -159,7 +163,8 @@ void spectrum_plot(const Fonts& fonts, ImVec2 size, const PixelInfo& shown, cons
   const float right = axes.high.x;
   number_at(list, fonts, {at.x, at.y}, 0, colours::dim, "per nm");
   for (int s = 0; s < 4; ++s)
-    if (!lone) number_at(list, fonts, {right - static_cast<float>(3 - s) * 26, at.y}, 1, colours::stokes[s], stokes_names[s]);
+    if (!lone)
+      number_at(list, fonts, {right - static_cast<float>(3 - s) * 26, at.y}, 1, colours::stokes[s], stokes_names[s]);
   draw_axes(list, fonts, axes, !lone);
   list.PushClipRect(axes.low, {axes.high.x + 1, axes.high.y + 1}, true);
   for (const PixelInfo* info : {other, &shown}) {
@@ -170,7 +175,8 @@ void spectrum_plot(const Fonts& fonts, ImVec2 size, const PixelInfo& shown, cons
   if (lone && other) draw_bars(list, axes, *other, true);
   list.PopClipRect();
   if (lone)
-    for (int s = 0; s < 4; ++s) number_at(list, fonts, {axes.x(s + 0.5), axes.high.y + 2}, 0.5F, colours::stokes[s], stokes_names[s]);
+    for (int s = 0; s < 4; ++s)
+      number_at(list, fonts, {axes.x(s + 0.5), axes.high.y + 2}, 0.5F, colours::stokes[s], stokes_names[s]);
   if (hovered) read_off(list, axes, shown, other);
 }
 

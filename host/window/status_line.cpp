@@ -74,15 +74,16 @@ void status_line(Ui& ui) {
 
 void help_overlay(Ui& ui) {
   if (!ui.session.controls.show_help) return;
-  const double width = std::min(ui.surface.logical_width() - 40, 940.0);
-  const double height = std::min(ui.surface.logical_height() - 40, 620.0);
-  const preview::Rect place{(ui.surface.logical_width() - width) / 2, (ui.surface.logical_height() - height) / 2, width, height};
+  const double across = ui.surface.logical_width(), down = ui.surface.logical_height();
+  const double width = std::min(across - 40, 940.0), height = std::min(down - 40, 620.0);
+  const preview::Rect place{(across - width) / 2, (down - height) / 2, width, height};
   ImGui::SetNextWindowPos(corner(place));
   ImGui::SetNextWindowSize(vec(place.width, place.height));
   ImGui::SetNextWindowFocus();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::Begin("Keys and mouse", &ui.session.controls.show_help,
-               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_NoSavedSettings);
   const std::size_t all = preview::actions().size() + gestures.size(), half = (all + 1) / 2;
   if (ImGui::BeginTable("halves", 2)) {
     ImGui::TableNextColumn();

@@ -19,7 +19,8 @@ ImFont* font_of(std::initializer_list<const char*> files, float height, float sc
                              "/usr/share/fonts/truetype/liberation/", "/usr/share/fonts/liberation/"})
     for (const char* file : files) {
       const std::string path = std::string(folder) + file;
-      if (std::ifstream(path).good()) return io.Fonts->AddFontFromFileTTF(path.c_str(), height * scale, nullptr, ranges);
+      if (std::ifstream(path).good())
+        return io.Fonts->AddFontFromFileTTF(path.c_str(), height * scale, nullptr, ranges);
     }
   ImFontConfig config;
   config.SizePixels = height * scale;
@@ -71,8 +72,8 @@ void set_style() {
   set_grey(ImGuiCol_FrameBgHovered, 0.28F);
   set_grey(ImGuiCol_FrameBgActive, 0.32F);
   set_grey(ImGuiCol_CheckMark, 0.88F);
-  set_grey(ImGuiCol_SliderGrab, 0.55F);
-  set_grey(ImGuiCol_SliderGrabActive, 0.75F);
+  set_grey(ImGuiCol_SliderGrab, 0.40F);
+  set_grey(ImGuiCol_SliderGrabActive, 0.50F);
   set_grey(ImGuiCol_Button, 0.25F);
   set_grey(ImGuiCol_ButtonHovered, 0.33F);
   set_grey(ImGuiCol_ButtonActive, 0.40F);
@@ -87,6 +88,10 @@ void set_style() {
   set_grey(ImGuiCol_TabUnfocusedActive, 0.30F);
   set_grey(ImGuiCol_ScrollbarBg, 0, 0);
   set_grey(ImGuiCol_TableRowBgAlt, 1, 0.03F);
+  set_grey(ImGuiCol_TitleBg, 0.18F);
+  set_grey(ImGuiCol_TitleBgActive, 0.22F);
+  set_grey(ImGuiCol_TextSelectedBg, 0.45F);
+  set_grey(ImGuiCol_TableHeaderBg, 0.18F);
 }
 
 }  // namespace nicol::window

@@ -25,8 +25,8 @@ struct Event {
   preview::Point at;                               // mouse_move: logical pixels from the left, from the top
   preview::Button button = preview::Button::left;
   double scroll_right = 0, scroll_up = 0;          // steps of the wheel
-  // As preview::Action has it: "d", "shift+1", "F2", "left", "["; with its modifiers in the order ctrl, alt, shift. Signs
-  // come as they are on the keyboard in use, without shift.
+  // As preview::Action has it: "d", "shift+1", "F2", "left", "["; with its modifiers in the order ctrl, alt, shift.
+  // Signs come as they are typed, without shift.
   std::string key;
   bool repeated = false;                           // the key is held down
   bool shift = false, ctrl = false, alt = false;   // of mouse and key events

@@ -51,16 +51,17 @@ std::string progress_text(const PaneStatus& status) {
 
 std::string status_text(const PaneStatus& status, bool with_device) {
   std::vector<std::string> parts;
-  if (with_device && !status.device.empty()) parts.push_back(status.device + ", " + status.real);
   parts.push_back(doing_text(status));
   parts.push_back(progress_text(status));
   if (status.passes > 0) parts.push_back(fmt::format("{} pass{}", status.passes, status.passes == 1 ? "" : "es"));
   if (status.passes > 0 && !std::isnan(status.sample_error))
     parts.push_back(fmt::format("error {} %", short_number(100 * status.sample_error)));
-  if (status.segments_per_second > 0) parts.push_back(fmt::format("{:.1f} M segments/s", status.segments_per_second / 1e6));
+  if (status.segments_per_second > 0)
+    parts.push_back(fmt::format("{:.1f} M segments/s", status.segments_per_second / 1e6));
   if (!status.effects.empty()) parts.push_back(effects_text(status));
   parts.push_back(kernel_text(status));
-  if (status.counted_errors > 0) parts.push_back(fmt::format("{} ERRORS COUNTED", status.counted_errors));
+  if (with_device && !status.device.empty()) parts.push_back(status.device + ", " + status.real);
+  if (status.counted_errors > 0) parts.insert(parts.begin(), fmt::format("{} ERRORS COUNTED", status.counted_errors));
   return fmt::format("{}", fmt::join(parts, "  |  "));
 }
 
@@ -78,9 +79,10 @@ std::string quantity_label(Quantity quantity) {
   return "";
 }
 
-std::string pane_title(const PaneStatus& status, const preview::View& view, bool difference) {
+std::string pane_title(const PaneStatus& status, const preview::View& view, const std::string& kind) {
   std::vector<std::string> parts{status.title};
-  parts.push_back(difference ? "difference |left - right|" : quantity_label(view.quantity));
+  if (!kind.empty()) parts.push_back(kind);
+  parts.push_back(quantity_label(view.quantity));
   if (view.wavelength && *view.wavelength < status.lambda_nm.size())
     parts.push_back(fmt::format("{} nm", short_number(status.lambda_nm[*view.wavelength])));
   if (!status.without.empty()) parts.push_back(fmt::format("without {}", fmt::join(status.without, ", ")));

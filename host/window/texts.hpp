@@ -13,11 +13,13 @@ std::string short_number(double value);
 // "block 8x8" while it gets finer, "3.2 samples" afterwards; "-" while nothing is traced.
 std::string progress_text(const preview::PaneStatus& status);
 
-// For the line at the bottom, of one pane: device, speed, progress, error, effects, kernel, what it is doing.
+// For the line at the bottom, of one pane, the changing first: what it is doing, how far it is, error, speed, effects,
+// kernel, device.
 std::string status_text(const preview::PaneStatus& status, bool with_device);
 
 // In a pane's corner: name, what is shown, what is left out, how fine.
-std::string pane_title(const preview::PaneStatus& status, const preview::View& view, bool difference);
+// `kind`: of picture, where that is not what the scene's camera sees; else empty.
+std::string pane_title(const preview::PaneStatus& status, const preview::View& view, const std::string& kind);
 
 // "polarization degree" and the like: what a list of quantities says.
 std::string quantity_label(preview::Quantity quantity);

@@ -18,11 +18,12 @@ preview::Rect visible_pane(const Ui& ui, int pane) {
   return place;
 }
 
-bool begin_fixed(const char* name, const preview::Rect& place, ImGuiWindowFlags further) {
+bool begin_fixed(const char* name, const preview::Rect& place) {
   ImGui::SetNextWindowPos(corner(place));
   ImGui::SetNextWindowSize(vec(place.width, place.height));
-  return ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus | further);
+  return ImGui::Begin(name, nullptr,
+                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                          ImGuiWindowFlags_NoBringToFrontOnFocus);
 }
 
 void label(const char* text) {

@@ -35,7 +35,7 @@ inline ImVec2 far_corner(const preview::Rect& r) { return vec(r.x + r.width, r.y
 preview::Rect visible_pane(const Ui& ui, int pane);
 
 // Begins a window without any decoration that stays at its place.
-bool begin_fixed(const char* name, const preview::Rect& place, ImGuiWindowFlags further = 0);
+bool begin_fixed(const char* name, const preview::Rect& place);
 
 // A label in the column of labels; what follows is on the same line and fills it.
 void label(const char* text);

@@ -40,7 +40,8 @@ void wavelength(Ui& ui) {
   label("wavelength");
   const int last = std::max(0, static_cast<int>(lambda_nm.size()) - 1);
   int index = std::min(last, static_cast<int>(scrubbed.value_or(lambda_nm.size() / 2)));
-  const std::string shown = lambda_nm.empty() ? "-" : fmt::format("{:.6g} nm", lambda_nm[static_cast<std::size_t>(index)]);
+  const double at_nm = lambda_nm.empty() ? 0 : lambda_nm[static_cast<std::size_t>(index)];
+  const std::string shown = lambda_nm.empty() ? "-" : fmt::format("{:.6g} nm", at_nm);
   if (ImGui::SliderInt("##wavelength", &index, 0, last, shown.c_str(), ImGuiSliderFlags_NoInput))
     scrubbed = static_cast<std::size_t>(index);
   ui.mark("wavelength");
@@ -58,7 +59,7 @@ void exposure(Ui& ui) {
 void difference_figures(Ui& ui) {
   const preview::Difference* difference = ui.session.difference();
   if (!difference) {
-    ImGui::TextDisabled("not shown: one render only");
+    ImGui::TextDisabled("only where two renders are compared");
     return;
   }
   if (!difference->comparable) {

@@ -1,4 +1,5 @@
-// The turns of the window: events to ImGui, to the mouse in the pictures, to the keys; then a frame, if there is something new.
+// The turns of the window: events to ImGui, to the mouse in the pictures, to the keys; then a frame, if there is
+// something new.
 #include "host/window/window.hpp"
 
 #include <algorithm>
@@ -44,7 +45,8 @@ struct Screen::Parts {
   bool ended = false, mouse_known = false;
   std::uint64_t frames = 0;
   std::string shown_notice;
-  std::array<double, 2> asked_size{};
+  std::array<double, 2> asked_size{};   // of the panes
+  std::array<int, 2> fitted_size{};     // of the pictures then
   std::size_t shown_messages = 0;
   bool path_missing = false;
 
@@ -59,16 +61,19 @@ struct Screen::Parts {
   void build(Ui& ui);
 };
 
-// Asks for pictures as large as the panes, in the framebuffer's pixels; not before a drag of the divider has ended.
+// Asks for pictures as large as the panes, in the framebuffer's pixels, when the panes' size or the pictures' shape has
+// changed; not before a drag of the divider has ended.
 void Screen::Parts::fit_pictures() {
   if (!options.pictures_fit_window || mouse.dragging()) return;
   lay_out();
   const double scale = surface.content_scale();
   const std::array<double, 2> size{std::floor(scale * std::max(layout.pane[0].width, layout.pane[1].width)),
                                    std::floor(scale * layout.pane[0].height)};
-  if (size == asked_size || size[0] < 1 || size[1] < 1) return;
+  const auto pictures = [&] { return std::array<int, 2>{session.controls.width, session.controls.height}; };
+  if ((size == asked_size && pictures() == fitted_size) || size[0] < 1 || size[1] < 1) return;
   asked_size = size;
   session.take_window_size(size[0], size[1]);
+  fitted_size = pictures();
 }
 
 bool Screen::Parts::something_new() {

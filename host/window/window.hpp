@@ -20,8 +20,8 @@ struct ScreenOptions {
   bool pictures_fit_window = true; // their size follows the window's (Session::take_window_size)
 };
 
-// The session must have been given surface.wake() to wake it, and both must outlive the screen. One at a time: ImGui has one
-// context. Throws WindowError where OpenGL is not what it must be.
+// The session must have been given surface.wake() to wake it, and both must outlive the screen. One at a time: ImGui
+// has one context. Throws WindowError where OpenGL is not what it must be.
 class Screen {
  public:
   Screen(preview::Session& session, Surface& surface, ScreenOptions options = {});
@@ -34,7 +34,8 @@ class Screen {
   std::uint64_t frames_drawn() const;
 
   Screenshot screenshot();            // of the last frame, drawn once more
-  // The important widgets of the last frame that can be seen, by name ("analyzer", "difference", "View"), in logical pixels.
+  // The important widgets of the last frame that can be seen, by name ("analyzer", "difference", "View"), in logical
+  // pixels.
   const std::vector<std::pair<std::string, preview::Rect>>& widgets() const;
   const preview::Layout& layout() const;   // of the last frame
 
@@ -43,7 +44,8 @@ class Screen {
   std::unique_ptr<Parts> parts_;
 };
 
-// Until the window is closed. Draws only after an event or when the session has something new, then at most 20 times a second.
+// Until the window is closed. Draws only after an event or when the session has something new, then at most 20 times a
+// second.
 void run(preview::Session& session, Surface& surface, ScreenOptions options = {});
 
 }  // namespace nicol::window
