@@ -83,8 +83,7 @@ void errors_window(Ui& ui, const PaneStatus& status, const preview::Rect& pane, 
                                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_HorizontalScrollbar);
   const std::size_t errors = count(status, true);
   if (errors > 0)
-    ImGui::TextDisabled("%s: %s%s", status.title.c_str(), counted(errors, "error").c_str(),
-                        status.stale ? "; the picture is of an earlier reading" : "");
+    ImGui::TextDisabled("%s: %s", status.title.c_str(), counted(errors, "error").c_str());
   if (!status.failure.empty()) {
     ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - 16);
     ImGui::TextColored(colour_of(true), "%s", status.failure.c_str());

@@ -91,9 +91,11 @@ void ellipses(const Ui& ui, ImDrawList& list, int pane, ImVec2 note_at) {
   const int spacing = ellipse_spacing(controls, picture);
   const double per_pixel = picture.width / std::max(1, controls.width);
   const float radius = static_cast<float>(0.46 * spacing * per_pixel);
+  list.PushClipRect(corner(picture), far_corner(picture), true);
   for (const preview::Ellipse& ellipse : ui.session.ellipses(pane, spacing))
     draw_ellipse(list, vec(picture.x + per_pixel * ellipse.x, picture.y + per_pixel * ellipse.y), radius, ellipse,
                  false, 1.2F);
+  list.PopClipRect();
   float x = note_at.x;
   for (const auto& [text, colour] : {std::pair{"right-handed", colours::right_handed},
                                      std::pair{"left-handed", colours::left_handed},

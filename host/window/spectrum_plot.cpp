@@ -62,7 +62,7 @@ void number_at(ImDrawList& list, const Fonts& fonts, ImVec2 at, float align, ImU
 void draw_axes(ImDrawList& list, const Fonts& fonts, const Axes& axes, bool in_nm) {
   const float line = ImGui::GetTextLineHeight();
   const ImU32 grid = IM_COL32(255, 255, 255, 22);
-  for (const double v : ticks(axes.least, axes.most, 5)) {
+  for (const double v : ticks(axes.least, axes.most, 6)) {
     const float y = axes.y(v);
     const bool zero = std::abs(v) < 1e-9 * (axes.most - axes.least);
     list.AddLine({axes.low.x, y}, {axes.high.x, y}, zero ? colours::faint : grid);

@@ -24,7 +24,9 @@ struct Gesture {
   const char* what;
   const char* help;
 };
-constexpr std::array<Gesture, 8> gestures = {{
+constexpr std::array<Gesture, 10> gestures = {{
+    {"1 to 9", "leaves out an effect of that number, or takes it back"},
+    {"shift + 1 to 9", "the same in the right pane only"},
     {"drag", "orbits around the middle of the solids"},
     {"shift + drag", "pans; so do the middle and the right button"},
     {"wheel", "zooms towards the mouse"},
@@ -36,7 +38,7 @@ constexpr std::array<Gesture, 8> gestures = {{
 
 void keys_table(Ui& ui, const char* name, std::size_t first, std::size_t end) {
   if (!ImGui::BeginTable(name, 2)) return;
-  ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 92);
+  ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 112);
   ImGui::TableSetupColumn("help");
   const auto& actions = preview::actions();
   for (std::size_t i = first; i < end; ++i) {
@@ -44,6 +46,20 @@ void keys_table(Ui& ui, const char* name, std::size_t first, std::size_t end) {
     else key_row(ui, gestures[i - actions.size()].what, gestures[i - actions.size()].help);
   }
   ImGui::EndTable();
+}
+
+// Beside each other; whole under the mouse. The device once, where both have the same.
+void pane_statuses(const Ui& ui, float width) {
+  const int panes = ui.session.two_renders() ? 2 : 1;
+  const float share = width / static_cast<float>(panes);
+  const preview::PaneStatus &left = ui.session.status(0), &right = ui.session.status(1);
+  const bool same_device = left.device == right.device && left.real == right.real;
+  for (int pane = 0; pane < panes; ++pane) {
+    if (pane == 1) ImGui::SameLine(8 + share);
+    const std::string text = status_text(ui.session.status(pane), pane == 0 || !same_device);
+    ImGui::TextDisabled("%s", shortened(text, share - 12).c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
+  }
 }
 
 }  // namespace
@@ -56,16 +72,8 @@ void status_line(Ui& ui) {
     const std::string notice = ui.session.notice();
     if (!notice.empty()) {
       ImGui::TextUnformatted(shortened(notice, width).c_str());
-    } else if (!ui.session.two_renders()) {
-      ImGui::TextDisabled("%s", shortened(status_text(ui.session.status(0), true), width).c_str());
     } else {
-      // The device once, where both have the same.
-      const bool same_device = ui.session.status(0).device == ui.session.status(1).device;
-      for (int pane = 0; pane < 2; ++pane) {
-        if (pane == 1) ImGui::SameLine(8 + width / 2);
-        const std::string text = status_text(ui.session.status(pane), pane == 0 || !same_device);
-        ImGui::TextDisabled("%s", shortened(text, width / 2 - 12).c_str());
-      }
+      pane_statuses(ui, width);
     }
   }
   ImGui::End();

@@ -13,7 +13,7 @@ using preview::PaneStatus;
 using preview::Quantity;
 
 std::string kernel_text(const PaneStatus& status) {
-  if (status.building) return "generic kernel, building the specialised one";
+  if (status.building) return "generic kernel, specialised one in building";
   return status.specialised ? "specialised kernel" : "generic kernel";
 }
 
@@ -80,7 +80,9 @@ std::string quantity_label(Quantity quantity) {
 }
 
 std::string pane_title(const PaneStatus& status, const preview::View& view, const std::string& kind) {
-  std::vector<std::string> parts{status.title};
+  // Without its folders: there is little room.
+  const std::size_t folders = status.title.rfind('/', status.title.find(' '));
+  std::vector<std::string> parts{folders == std::string::npos ? status.title : status.title.substr(folders + 1)};
   if (!kind.empty()) parts.push_back(kind);
   parts.push_back(quantity_label(view.quantity));
   if (view.wavelength && *view.wavelength < status.lambda_nm.size())

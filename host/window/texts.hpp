@@ -17,7 +17,7 @@ std::string progress_text(const preview::PaneStatus& status);
 // kernel, device.
 std::string status_text(const preview::PaneStatus& status, bool with_device);
 
-// In a pane's corner: name, what is shown, what is left out, how fine.
+// In a pane's corner: name without folders, what is shown, what is left out, how fine.
 // `kind`: of picture, where that is not what the scene's camera sees; else empty.
 std::string pane_title(const preview::PaneStatus& status, const preview::View& view, const std::string& kind);
 

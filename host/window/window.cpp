@@ -183,7 +183,9 @@ void Screen::turn() {
   p.ended = p.ended || p.surface.should_close();
   p.fit_pictures();
   const bool fresh = p.something_new();
-  if (!events.empty()) p.settling = frames_to_settle;
+  const auto moves = [](const Event& event) { return event.kind == Kind::mouse_move; };
+  const bool only_moved = std::all_of(events.begin(), events.end(), moves);
+  if (!events.empty()) p.settling = only_moved ? 1 : frames_to_settle;
   else if (p.settling > 0) --p.settling;
   else if (!fresh) return;
   p.frame(events);
