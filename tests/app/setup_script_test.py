@@ -16,7 +16,7 @@ from pathlib import Path
 SCRIPT = sys.argv.pop(1) if __name__ == "__main__" else ""
 
 # Each stand-in notes its call; $FAIL_<NAME> makes it fail. cmake "builds" a program that tells its
-# arguments.
+# arguments, with a window if $WINDOW is ON.
 STAND_INS = {
     "dpkg-query": 'for p; do case $p in -*) ;; *) case " $LACKING " in *" $p "*) ;; *) '
     'printf "installed=%s " "$p";; esac;; esac; done',
@@ -26,7 +26,8 @@ STAND_INS = {
     "cmake": 'echo "cmake $*" >>"$CALLS"; echo "configuring or building"; [ -z "${FAIL_CMAKE:-}" ] || exit 1\n'
     'mkdir -p "$NICOL_BUILD/bin"; for name in nicol nicol_bench; do\n'
     'printf \'#!/bin/sh\\necho "%s got $*"\\nexit 7\\n\' "$name" >"$NICOL_BUILD/bin/$name"\n'
-    'chmod +x "$NICOL_BUILD/bin/$name"; done',
+    'chmod +x "$NICOL_BUILD/bin/$name"; done\n'
+    'echo "NICOL_WINDOW:INTERNAL=${WINDOW:-OFF}" >"$NICOL_BUILD/CMakeCache.txt"',
     "ctest": 'echo "ctest $*"; exit 5',
 }
 
@@ -120,6 +121,29 @@ class SetupScript(unittest.TestCase):
         self.assertIn("-DNICOL_TESTS=ON", calls)
         self.assertIn("--target all", calls)
         self.assertEqual(self.nicol("bench", "--quick").stdout, "nicol_bench got --quick\n")
+
+    def test_only_the_preview_needs_its_window(self):
+        lacking = "libglfw3-dev libegl1"
+        self.assertEqual(self.nicol("render", "a.pov", LACKING=lacking).returncode, 7)
+        self.assertNotIn("apt-get", self.take_calls())
+
+        result = self.nicol("preview", "a.pov", LACKING=lacking, WINDOW="ON")
+        self.assertEqual((result.returncode, result.stdout), (7, "nicol got preview a.pov\n"), result.stderr)
+        calls = self.take_calls()
+        self.assertRegex(calls, r"^apt-get install .*libglfw3-dev libegl1\s")
+        self.assertIn("--target nicol\n", calls)
+
+        for verb in "preview", "render":
+            self.assertEqual(self.nicol(verb, "a.pov").returncode, 7)
+            self.assertEqual(self.take_calls(), "", verb)
+
+    def test_preview_without_the_right_to_install(self):
+        self.nicol("render", "a.pov")
+        self.take_calls()
+        result = self.nicol("preview", "a.pov", LACKING="libglfw3-dev", USER_ID="1000", FAIL_SUDO="1")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("apt-get install --no-install-recommends libglfw3-dev", result.stderr)
+        self.assertEqual(self.take_calls(), "")
 
     def test_no_right_to_install(self):
         result = self.nicol("devices", LACKING="libpng-dev", USER_ID="1000", FAIL_SUDO="1")
