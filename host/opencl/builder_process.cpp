@@ -7,8 +7,11 @@
 
 #include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace nicol {
@@ -16,6 +19,7 @@ namespace {
 
 constexpr const char* build_switch = "--build-kernel";
 constexpr int built = 0, failed = 1;
+constexpr int lower_priority = 5;   // pictures come first
 
 std::atomic<bool> serves{false};
 
@@ -23,15 +27,19 @@ std::atomic<bool> serves{false};
 constexpr const char* this_program = "/proc/self/exe";
 
 // Its end: the code, or `failed` if it was killed.
-int wait_for(pid_t process) {
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0)
-    if (errno != EINTR) return failed;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : failed;
+int wait_for(pid_t process, const std::atomic<bool>* stop) {
+  constexpr std::chrono::milliseconds pause{20};
+  for (int status = 0;;) {
+    const pid_t ended = ::waitpid(process, &status, stop ? WNOHANG : 0);
+    if (ended == process) return WIFEXITED(status) ? WEXITSTATUS(status) : failed;
+    if (ended < 0 && errno != EINTR) return failed;
+    if (stop && *stop) ::kill(process, SIGKILL);
+    if (stop) std::this_thread::sleep_for(pause);
+  }
 }
 
 // Nothing of what it writes is wanted.
-int run_silently(std::vector<std::string> arguments) {
+int run_silently(std::vector<std::string> arguments, const std::atomic<bool>* stop) {
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
@@ -43,21 +51,24 @@ int run_silently(std::vector<std::string> arguments) {
   pid_t process = 0;
   const bool started = ::posix_spawn(&process, this_program, &actions, nullptr, argv.data(), environ) == 0;
   posix_spawn_file_actions_destroy(&actions);
-  return started ? wait_for(process) : failed;
+  return started ? wait_for(process, stop) : failed;
 }
 
 }  // namespace
 
 bool build_in_own_process(const Device& device, std::uint32_t features, const KernelOptions& options) {
   if (!serves) return false;
-  return run_silently({"nicol", build_switch, std::to_string(info(device).index), std::to_string(features),
+  const bool done = run_silently({"nicol", build_switch, std::to_string(info(device).index), std::to_string(features),
                        std::to_string(options.lanes), options.real_double ? "double" : "float",
-                       options.generic ? "generic" : "specialised"}) == built;
+                       options.generic ? "generic" : "specialised"}, options.stop) == built;
+  if (options.stop && *options.stop) throw DeviceError("the building of a kernel was given up");
+  return done;
 }
 
 std::optional<int> serve_as_builder(int argc, const char* const* argv) {
   serves = true;
   if (argc != 7 || std::string(argv[1]) != build_switch) return std::nullopt;
+  [[maybe_unused]] const int priority = ::nice(lower_priority);
   try {
     KernelOptions options;
     options.lanes = std::atoi(argv[4]);

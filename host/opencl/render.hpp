@@ -25,6 +25,7 @@ struct KernelOptions {
   // Built in a process of its own, which also keeps it: pictures with other kernels go on at full pace (PoCL lets no kernel start while it
   // compiles one). Built here where no cache folder can be written or the program does not call serve_as_builder().
   bool own_process = false;
+  const std::atomic<bool>* stop = nullptr;   // set: what is being built in a process of its own is given up, with a DeviceError
 };
 
 // How a kernel came to be.

@@ -1,4 +1,4 @@
-// The finished picture and the guests that take it: EXR, PNG, later the preview.
+// The finished picture and the guests that take it: EXR, PNG, the preview.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "host/output/zeroed.hpp"
+
 namespace nicol {
 
 // Stokes radiance per nm as the receiver sees it, in the conventions of kernels/README.md.
@@ -14,7 +16,7 @@ struct Frame {
   int width = 0, height = 0;
   std::vector<double> lambda_nm;
   std::vector<double> weight_nm;
-  std::vector<float> stokes;    // [component 0..3][wavelength][row from the top][column]
+  ZeroedFloats stokes;          // [component 0..3][wavelength][row from the top][column]
   std::vector<float> cut_off;   // [row][column]: weight of the paths cut off, relative to a full path
   std::vector<std::uint32_t> samples;  // [row][column]: that each pixel got; empty: all alike
   // [row][column]: estimated error of pixel sampling, RMS over wavelengths of the Stokes vector's, in units of radiance; empty: not known

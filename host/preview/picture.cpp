@@ -18,7 +18,7 @@ Picture make_picture(int width, int height, const std::vector<double>& lambda_nm
   frame.height = height;
   frame.lambda_nm = lambda_nm;
   frame.weight_nm = weight_nm;
-  frame.stokes.assign(4 * lambda_nm.size() * frame.plane(), 0);
+  frame.stokes.resize(4 * lambda_nm.size() * frame.plane());
   frame.cut_off.assign(frame.plane(), 0);
   frame.samples.assign(frame.plane(), 0);
   picture.rgb.assign(3 * frame.plane(), untraced_grey);

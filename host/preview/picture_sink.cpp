@@ -110,16 +110,15 @@ double PictureSink::take_change2() {
 
 double mean_radiance_of(const Picture& picture) {
   const Frame& frame = picture.frame;
+  std::vector<std::size_t> traced;
+  for (std::size_t p = 0; p < frame.plane(); ++p)
+    if (frame.samples[p] > 0) traced.push_back(p);
   double sum = 0;
-  std::size_t count = 0;
   for (std::size_t w = 0; w < frame.lambda_nm.size(); ++w) {
     const float* plane = frame.component(0, w);
-    for (std::size_t p = 0; p < frame.plane(); ++p) {
-      if (frame.samples[p] == 0) continue;
-      sum += static_cast<double>(plane[p]);
-      ++count;
-    }
+    for (const std::size_t p : traced) sum += static_cast<double>(plane[p]);
   }
+  const std::size_t count = traced.size() * frame.lambda_nm.size();
   return count > 0 ? sum / static_cast<double>(count) : 0;
 }
 

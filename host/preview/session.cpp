@@ -80,7 +80,12 @@ void Session::Parts::take_first_scene(Controls& controls) {
   }
   if (!options.right && camera.polarizer) {
     controls.before_analyzer = at_start.before_analyzer = true;
-    controls.view[1].quantity = at_start.view[1].quantity = Quantity::ellipses;
+    // Of all wavelengths together the planes of polarization of an active crystal come to nothing.
+    const auto& lambda_nm = scene->lambda_nm;
+    const double sodium_nm = 589.3;   // mean of the D lines
+    const auto nearer = [&](double a, double b) { return std::fabs(a - sodium_nm) < std::fabs(b - sodium_nm); };
+    const auto nearest = std::min_element(lambda_nm.begin(), lambda_nm.end(), nearer);
+    controls.view[1] = at_start.view[1] = {Quantity::ellipses, static_cast<std::size_t>(nearest - lambda_nm.begin())};
   } else if (options.right) {
     controls.view[1] = at_start.view[1] = View{};
   }

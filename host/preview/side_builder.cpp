@@ -19,10 +19,11 @@ std::string SideBuilder::failure_of(const Key& key) const {
 void SideBuilder::build(const std::shared_ptr<Device>& device, std::uint32_t features, const KernelOptions& options) {
   const Key key = key_of(device, features, options);
   if (!failure_of(key).empty()) return;
-  jobs_.post([=] {
+  jobs_.post([this, key, device, features, how = options]() mutable {
     std::string failure;
+    how.stop = &quit_;
     try {
-      prepare_kernel(*device, features, options);
+      prepare_kernel(*device, features, how);
     } catch (const std::exception& error) {
       failure = error.what();
     }
@@ -47,12 +48,15 @@ KernelChoice SideBuilder::choose(const std::shared_ptr<Device>& device, std::uin
   choice.specialised = !wanted.generic;
   choice.ready = ready(wanted);
   if (choice.ready) return choice;
-  build(device, features, wanted);
-  const std::string failure = failure_of(key_of(device, features, wanted));
-  choice.building = failure.empty();
   KernelOptions generic = wanted;
   generic.generic = true;
-  if (!wanted.generic && ready(generic)) {
+  const bool meanwhile = !wanted.generic && ready(generic);
+  KernelOptions built = wanted;
+  built.own_process = meanwhile;   // PoCL starts no kernel while it compiles another; with nothing to show it is quicker here
+  build(device, features, built);
+  const std::string failure = failure_of(key_of(device, features, wanted));
+  choice.building = failure.empty();
+  if (meanwhile) {
     choice.options = generic;
     choice.specialised = false;
     choice.ready = true;
@@ -64,7 +68,7 @@ KernelChoice SideBuilder::choose(const std::shared_ptr<Device>& device, std::uin
 
 void SideBuilder::build_generic(const std::shared_ptr<Device>& device, const KernelOptions& wanted) {
   KernelOptions generic = wanted;
-  generic.generic = true;
+  generic.generic = generic.own_process = true;
   const bool here = kernel_readiness(*device, 0, generic) != KernelReadiness::missing;
   if (!here) build(device, 0, generic);
 }

@@ -1,5 +1,6 @@
 // Kernels built on the side, so that pictures go on with one that is ready.
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -25,6 +26,7 @@ class SideBuilder {
  public:
   // `done` is called from the building thread, after each build.
   explicit SideBuilder(std::function<void()> done) : done_(std::move(done)) {}
+  ~SideBuilder() { quit_ = true; }   // a build in a process of its own is given up
 
   // The specialised kernel if it is ready; else the generic one, and the specialised one is begun; else that is waited for
   // (ready false). `wanted.generic`: only ever the generic one. Throws DeviceError if what was asked for cannot be built.
@@ -41,6 +43,7 @@ class SideBuilder {
   std::string failure_of(const Key& key) const;
 
   std::function<void()> done_;
+  std::atomic<bool> quit_{false};
   mutable std::mutex lock_;
   std::map<Key, std::string> failures_;
   std::set<Key> there_;       // known to be ready, without a look at the disk
