@@ -12,13 +12,13 @@
 namespace nicol::window {
 namespace {
 
-constexpr const char* packages = "libegl1 and libgl1-mesa-dri (Debian's names)";
+constexpr const char* packages = "libegl-mesa0 and libgl1-mesa-dri (Debian's names)";
 
 [[noreturn]] void give_up(const std::string& call) {
   throw WindowError("cannot draw without a display: " + call + " failed; it needs Mesa's EGL: " + packages);
 }
 
-// epoxy ends the program where a library it wants is missing: so these are looked for first.
+// epoxy ends the program where a library or a function it wants is missing: so these are looked for first.
 void find_libraries() {
   for (const char* name : {"libEGL.so.1", "libGL.so.1"})
     if (!dlopen(name, RTLD_LAZY | RTLD_GLOBAL))
@@ -86,6 +86,8 @@ class EglSurface : public OffscreenSurface {
 
  private:
   void open_context() {
+    for (const char* extension : {"EGL_EXT_platform_base", "EGL_MESA_platform_surfaceless"})
+      if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, extension)) give_up(std::string("looking for ") + extension);
     display_ = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display_ == EGL_NO_DISPLAY) give_up("eglGetPlatformDisplayEXT(surfaceless)");
     if (!eglInitialize(display_, nullptr, nullptr)) give_up("eglInitialize");
