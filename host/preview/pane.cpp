@@ -69,7 +69,10 @@ void Pane::work() {
   try {
     if (to_read) return read();
     if (to_begin) return begin();
-    if (look_for_kernel_.exchange(false)) choose_kernel();
+    if (look_for_kernel_.exchange(false)) {
+      choose_kernel();
+      time_kernel();
+    }
     if (waits_for_kernel_ || !tracing_) return;
     if (stages_[static_cast<std::size_t>(stage_)].adaptive) trace_adaptively();
     else trace();

@@ -62,6 +62,8 @@ class Pane {
   void finish_stage();
   void tell(const RenderReport& report);
   void time_pass();
+  void time_kernel();                     // that came after the picture was done
+  void note_pass(double seconds, bool specialised);
   void fail(const std::string& why);
   template <class Change>
   void update(Change change) {
@@ -94,7 +96,7 @@ class Pane {
 
   // of the working thread
   KernelOptions kernel_;
-  bool real_double_ = false, specialised_ = false;
+  bool real_double_ = false, specialised_ = false, timed_specialised_ = false;
   PictureSink sink_{picture_, picture_lock_};
   std::vector<Stage> stages_;
   std::vector<std::int32_t> pixels_;      // of the stage

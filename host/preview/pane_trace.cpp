@@ -69,20 +69,37 @@ void Pane::tell(const RenderReport& report) {
   });
 }
 
-// What a sample of every pixel takes: from whole passes with one kernel, set against those of the same kind.
+// What a sample of every pixel takes, set against what it takes with every effect, by a kernel of the same kind.
+void Pane::note_pass(double seconds, bool specialised) {
+  double& all_effects = all_effects_seconds_[specialised];
+  update([&](PaneStatus& s) {
+    s.pass_seconds = seconds;
+    if (s.without.empty()) all_effects = seconds;
+    s.all_effects_pass_seconds = all_effects;
+  });
+}
+
 void Pane::time_pass() {
   const double plane = static_cast<double>(prepared_->width) * prepared_->height;
-  if (pass_samples_ >= plane && (pass_kernels_ == 1 || pass_kernels_ == 2)) {
-    const double pass = pass_seconds_ * plane / pass_samples_;
-    double& all_effects = all_effects_seconds_[pass_kernels_ - 1];
-    update([&](PaneStatus& s) {
-      s.pass_seconds = pass;
-      if (s.without.empty()) all_effects = pass;
-      s.all_effects_pass_seconds = all_effects;
-    });
-  }
+  timed_specialised_ = pass_samples_ >= plane && pass_kernels_ == 2;
+  if (timed_specialised_ || (pass_samples_ >= plane && pass_kernels_ == 1)) note_pass(pass_seconds_ * plane / pass_samples_, timed_specialised_);
   pass_seconds_ = pass_samples_ = 0;
   pass_kernels_ = 0;
+}
+
+void Pane::time_kernel() {
+  if (tracing_ || !specialised_ || timed_specialised_ || waits_for_kernel_) return;
+  constexpr int grid = 4;
+  RenderOptions options;
+  options.kernel = kernel_;
+  options.cancel = &cancel_;
+  options.pixels = pixels_of({grid, 0, 1, false}, true, prepared_->width, prepared_->height);
+  RenderReport report;
+  render(*device_, prepared_->packed, prepared_->scene.lambda_nm, prepared_->scene.weight_nm, options, report);
+  if (report.interrupted) return;
+  timed_specialised_ = true;
+  const double plane = static_cast<double>(prepared_->width) * prepared_->height;
+  note_pass(report.seconds * plane / static_cast<double>(options.pixels.size()), true);
 }
 
 void Pane::finish_stage() {
@@ -119,6 +136,7 @@ void Pane::finish_stage() {
     s.done = true;
     s.fraction = 1;
   });
+  time_kernel();
 }
 
 // To the scene's sampling error: one render of the whole picture, samples where they matter.
