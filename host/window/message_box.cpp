@@ -109,10 +109,20 @@ void warnings_window(Ui& ui, const PaneStatus& status, const preview::Rect& pane
   ImGui::End();
 }
 
+// Two panes of one scene have the same to tell.
+bool told_at_left(const PaneStatus& left, const PaneStatus& right) {
+  const auto same = [](const Message& a, const Message& b) {
+    return a.error == b.error && a.told == b.told && a.text == b.text;
+  };
+  return std::equal(left.messages.begin(), left.messages.end(), right.messages.begin(), right.messages.end(), same) &&
+         left.failure == right.failure;
+}
+
 }  // namespace
 
 void message_box(Ui& ui, int pane) {
   const PaneStatus& status = ui.session.status(pane);
+  if (pane == 1 && told_at_left(ui.session.status(0), status)) return;
   const preview::Rect place = visible_pane(ui, pane);
   const std::string name = fmt::format("messages {}", pane);
   if (count(status, true) > 0 || !status.failure.empty()) errors_window(ui, status, place, name.c_str());

@@ -48,16 +48,19 @@ void rows_of_three(const Fonts& fonts, const std::string& name, const char* lett
   }
 }
 
+// Below this degree there is no ellipse to speak of.
+constexpr double least_degree = 1e-6;
+
 // In [0, 180), as the false colours have it.
-double azimuth_deg(const PixelInfo& info) {
+std::string azimuth_text(const PixelInfo& info) {
   const double deg = std::fmod(deg_per_rad * info.ellipse.azimuth_rad, 180.0);
-  return deg < 0 ? deg + 180 : deg;
+  return info.ellipse.degree < least_degree ? "-" : fmt::format("{:.1f}", deg < 0 ? deg + 180 : deg);
 }
 
-std::string handedness(const PixelInfo& info) {
-  const double chi_deg = deg_per_rad * info.ellipse.ellipticity_rad;
-  if (std::abs(chi_deg) < 0.05) return "";
-  return chi_deg > 0 ? " right" : " left";
+std::string ellipticity_text(const PixelInfo& info) {
+  const double deg = deg_per_rad * info.ellipse.ellipticity_rad;
+  if (info.ellipse.degree < least_degree) return "-";
+  return fmt::format("{:+.1f}{}", deg, std::abs(deg) < 0.05 ? "" : deg > 0 ? " right" : " left");
 }
 
 void figures(const Fonts& fonts, const Both& both, int columns) {
@@ -67,10 +70,8 @@ void figures(const Fonts& fonts, const Both& both, int columns) {
   if (!open) return;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 108);
   for (int i = 0; i < columns; ++i) ImGui::TableSetupColumn(i == 0 ? "first" : "second");
-  row(fonts, "azimuth (deg)", both, columns, [](const PixelInfo& i) { return fmt::format("{:.1f}", azimuth_deg(i)); });
-  row(fonts, "ellipticity (deg)", both, columns, [](const PixelInfo& i) {
-    return fmt::format("{:+.1f}{}", deg_per_rad * i.ellipse.ellipticity_rad, handedness(i));
-  });
+  row(fonts, "azimuth (deg)", both, columns, azimuth_text);
+  row(fonts, "ellipticity (deg)", both, columns, ellipticity_text);
   row(fonts, "degree", both, columns,
       [](const PixelInfo& i) { return fmt::format("{:.2f} %", 100 * i.ellipse.degree); });
   rows_of_three(fonts, "", "XYZ", both, columns, [](const PixelInfo& i) { return i.xyz; });
