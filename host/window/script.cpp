@@ -222,6 +222,7 @@ void Script::Parts::set(const Words& words) {
   } else {
     throw ScriptError("'" + name + "' cannot be set");
   }
+  screen.redraw();
   settle();
 }
 
@@ -240,6 +241,7 @@ void Script::Parts::act(const Words& words, std::ostream& answers) {
     push(event);
   } else if (verb == "do") {
     if (!preview::act_by_name(session, word_at(words, 1))) throw ScriptError("there is no action '" + words[1] + "'");
+    screen.redraw();
     settle();
   } else if (verb == "move") {
     move_to(place(words, i));

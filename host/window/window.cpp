@@ -191,6 +191,7 @@ void Screen::turn() {
   p.frame(events);
 }
 
+void Screen::redraw() { parts_->settling = frames_to_settle + 1; }
 bool Screen::more_to_do() const { return parts_->settling > 0 || parts_->input.has_more(parts_->surface); }
 bool Screen::ended() const { return parts_->ended; }
 std::uint64_t Screen::frames_drawn() const { return parts_->frames; }

@@ -29,6 +29,7 @@ class Screen {
 
   // Takes up what has happened, without waiting; draws a frame if anything that is shown may have changed.
   void turn();
+  void redraw();                      // the next turn draws: the controls were changed by other hands
   bool more_to_do() const;            // events are left, or a frame is to follow: the next turn should not wait
   bool ended() const;                 // closed, by the window's button or a key
   std::uint64_t frames_drawn() const;
