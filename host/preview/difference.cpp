@@ -2,6 +2,7 @@
 #include "host/preview/difference.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <future>
 #include <thread>
@@ -12,11 +13,40 @@
 namespace nicol::preview {
 namespace {
 
-Developed developed_difference(const Picture& left, const Picture& right, const View& view) {
-  View colours = view;
-  colours.quantity = Quantity::colour;
+// Indices of a wavelength in the left and in the right picture.
+using Pair = std::array<std::size_t, 2>;
+
+std::vector<Pair> common_wavelengths(const Frame& a, const Frame& b) {
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0, j = 0; i < a.lambda_nm.size() && j < b.lambda_nm.size();) {
+    if (a.lambda_nm[i] == b.lambda_nm[j]) pairs.push_back({i++, j++});
+    else if (a.lambda_nm[i] < b.lambda_nm[j]) ++i;
+    else ++j;
+  }
+  return pairs;
+}
+
+// What a radiance of 1 per nm at all wavelengths comes to: the scale of greys (view.hpp).
+double luminance_of_equal_energy(const Frame& frame) {
+  double sum = 0;
+  for (std::size_t i = 0; i < frame.lambda_nm.size(); ++i) sum += colour_matching(frame.lambda_nm[i])[1] * frame.weight_nm[i];
+  return sum;
+}
+
+// At a wavelength that the right picture has not: the colours.
+Developed developed_difference(const Picture& left, const Picture& right, const std::vector<Pair>& common, const View& view) {
+  View colours{Quantity::colour, {}}, others = colours;
+  for (const Pair& pair : common)
+    if (view.wavelength == pair[0]) {
+      colours.wavelength = pair[0];
+      others.wavelength = pair[1];
+    }
   Developed developed = develop(left, colours);
-  const Developed other = develop(right, colours);
+  Developed other = develop(right, others);
+  if (colours.wavelength) {   // the greys of both on the left one's scale
+    const auto scale = static_cast<float>(luminance_of_equal_energy(left.frame) / luminance_of_equal_energy(right.frame));
+    for (float& value : other.rgb) value *= scale;
+  }
   std::transform(developed.rgb.begin(), developed.rgb.end(), other.rgb.begin(), developed.rgb.begin(),
                  [](float a, float b) { return std::fabs(a - b); });
   return developed;
@@ -42,12 +72,18 @@ struct Band {
   double delta_e = 0;
 };
 
-void compare_stokes(const Picture& left, const Picture& right, std::size_t first, std::size_t last, Band& band) {
+void compare_stokes(const Picture& left, const Picture& right, const std::vector<Pair>& common, std::size_t first, std::size_t last,
+                    Band& band) {
   std::vector<float> squares(last - first, 0);
   for (int s = 0; s < 4; ++s)
-    for (std::size_t i = 0; i < left.frame.lambda_nm.size(); ++i) {
-      const float *a = left.frame.component(s, i) + first, *b = right.frame.component(s, i) + first;
+    for (const auto& [i, j] : common) {
+      const float *a = left.frame.component(s, i) + first, *b = right.frame.component(s, j) + first;
       for (std::size_t p = 0; p < squares.size(); ++p) squares[p] += (a[p] - b[p]) * (a[p] - b[p]);
+    }
+  if (common.empty())
+    for (std::size_t i = 0; i < 4 * squares.size(); ++i) {
+      const float change = left.stokes_y[4 * first + i] - right.stokes_y[4 * first + i];
+      squares[i / 4] += change * change;
     }
   for (std::size_t p = first; p < last; ++p) {
     if (left.frame.samples[p] == 0 || right.frame.samples[p] == 0) continue;
@@ -73,14 +109,14 @@ void compare_colours(const Picture& left, const Picture& right, std::size_t firs
 }
 
 // All pixels, in bands on as many cores as there are.
-Band compare(const Picture& left, const Picture& right) {
+Band compare(const Picture& left, const Picture& right, const std::vector<Pair>& common) {
   const std::size_t plane = left.frame.plane();
   const std::size_t bands = std::clamp(std::thread::hardware_concurrency(), 1u, 8u);
   std::vector<std::future<Band>> parts;
   for (std::size_t i = 0; i < bands; ++i)
     parts.push_back(std::async(std::launch::async, [&, first = plane * i / bands, last = plane * (i + 1) / bands] {
       Band band;
-      compare_stokes(left, right, first, last, band);
+      compare_stokes(left, right, common, first, last, band);
       compare_colours(left, right, first, last, band);
       return band;
     }));
@@ -98,20 +134,32 @@ Band compare(const Picture& left, const Picture& right) {
   return all;
 }
 
+double mean_luminance(const Picture& picture) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t p = 0; p < picture.frame.plane(); ++p) {
+    if (picture.frame.samples[p] == 0) continue;
+    sum += static_cast<double>(picture.stokes_y[4 * p]);
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
 }  // namespace
 
 Difference difference(const Picture& left, const Picture& right, const View& view) {
   Difference difference;
   const Frame &a = left.frame, &b = right.frame;
-  if (a.width != b.width || a.height != b.height || a.lambda_nm != b.lambda_nm || a.lambda_nm.empty()) return difference;
-  const Band all = compare(left, right);
+  if (a.width != b.width || a.height != b.height || a.lambda_nm.empty() || b.lambda_nm.empty()) return difference;
+  const std::vector<Pair> common = common_wavelengths(a, b);
+  const Band all = compare(left, right, common);
   if (all.count == 0) return difference;
 
   difference.comparable = true;
-  difference.developed = developed_difference(left, right, view);
-  const auto relative = [&](double square) {
-    return square > 0 ? std::sqrt(square / static_cast<double>(a.lambda_nm.size())) / left.mean_radiance : 0;
-  };
+  difference.developed = developed_difference(left, right, common, view);
+  const double wavelengths = common.empty() ? 1 : static_cast<double>(common.size());
+  const double mean = common.empty() ? mean_luminance(left) : left.mean_radiance;
+  const auto relative = [&](double square) { return square > 0 ? std::sqrt(square / wavelengths) / mean : 0; };
   difference.rms = relative(all.sum / static_cast<double>(all.count));
   difference.largest = relative(all.largest);
   difference.x = static_cast<int>(all.place % static_cast<std::size_t>(a.width));

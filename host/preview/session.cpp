@@ -120,7 +120,15 @@ const PaneStatus& Session::status(int pane) const { return parts_->status[static
 View Session::shown_view(int pane) const {
   View view = controls.view[static_cast<std::size_t>(pane)];
   if (controls.scrubbed) view.wavelength = controls.scrubbed;
-  const std::size_t count = status(pane).lambda_nm.size();
+  const auto& lambda_nm = status(pane).lambda_nm;
+  const std::size_t count = lambda_nm.size();
+  const auto& of_left = status(0).lambda_nm;
+  // The scrubber counts the left pane's wavelengths.
+  if (pane == 1 && controls.scrubbed && *controls.scrubbed < of_left.size() && count > 0) {
+    const double wanted_nm = of_left[*controls.scrubbed];
+    const auto nearer = [&](double a, double b) { return std::fabs(a - wanted_nm) < std::fabs(b - wanted_nm); };
+    view.wavelength = static_cast<std::size_t>(std::min_element(lambda_nm.begin(), lambda_nm.end(), nearer) - lambda_nm.begin());
+  }
   if (view.wavelength && count > 0) view.wavelength = std::min(*view.wavelength, count - 1);
   if (view.wavelength && count == 0) view.wavelength.reset();
   return view;
@@ -135,8 +143,15 @@ const Developed& Session::developed(int pane) const {
   const View view = shown_view(difference ? 0 : pane);
   const std::uint64_t version = own.picture_version(), other = difference ? panes[0]->picture_version() : 0;
   const bool same_view = shown.view.quantity == view.quantity && shown.view.wavelength == view.wavelength;
-  if (shown.done && shown.picture == version && shown.other == other && shown.difference == difference && same_view)
-    return shown.developed;
+  const bool same = shown.difference == difference && same_view;
+  if (shown.done && shown.picture == version && shown.other == other && same) return shown.developed;
+  // Differences take a while: not at each step of a picture that still gets finer.
+  const auto now = std::chrono::steady_clock::now();
+  constexpr std::chrono::milliseconds pause{300};
+  if (shown.done && same && difference && now - shown.at < pause && !pictures_done()) return shown.developed;
+  // Of a picture just begun anew the earlier one stays.
+  if (shown.done && same && !difference && own.with_picture([](const Picture& picture) { return picture.step == 0; })) return shown.developed;
+  shown.at = now;
   if (difference) {
     const std::scoped_lock both(panes[0]->picture_lock(), panes[1]->picture_lock());
     p.difference = preview::difference(panes[0]->picture(), panes[1]->picture(), view);

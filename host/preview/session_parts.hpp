@@ -38,6 +38,7 @@ struct Session::Parts {
     View view;
     std::uint64_t picture = 0, other = 0, version = 0;
     bool difference = false, done = false;
+    std::chrono::steady_clock::time_point at;
   };
   struct Path {
     std::shared_ptr<const Prepared> prepared;

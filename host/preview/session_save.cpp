@@ -10,7 +10,15 @@
 namespace nicol::preview {
 namespace {
 
-std::string stem_of(const std::string& title) { return std::filesystem::path(title).stem().string(); }
+// In the working directory; what was saved before stays: scene-preview.png, scene-preview-2.png, ...
+std::string free_name(const std::string& scene, const std::string& what, const std::string& suffix) {
+  const std::string start = std::filesystem::path(scene).stem().string() + "-" + what;
+  std::error_code failed;
+  for (int number = 1;; ++number) {
+    const std::string name = start + (number > 1 ? "-" + std::to_string(number) : "") + suffix;
+    if (!std::filesystem::exists(name, failed)) return name;
+  }
+}
 
 // The picture as it stands; pixels not traced yet are those that they show.
 Frame whole_frame(const Picture& picture) {
@@ -62,10 +70,9 @@ void Session::save_picture(int pane) {
     for (float& value : frame.rgb) value *= static_cast<float>(stops);
   frame.how = notes(status(pane));
   frame.how.emplace_back("shown", differs ? "difference" : name_of(shown_view(pane).quantity));
-  const std::string path = stem_of(parts_->options.left.title) + (pane == 1 ? "-preview-right.png" : "-preview.png");
   Parts& p = *parts_;
-  p.saver.post([&p, path, frame = std::move(frame)] {
-    p.tell(save(path, frame));
+  p.saver.post([&p, pane, frame = std::move(frame)] {
+    p.tell(save(free_name(p.options.left.title, pane == 1 ? "preview-right" : "preview", ".png"), frame));
     p.wake();
   });
 }
@@ -74,14 +81,14 @@ void Session::save_spectra(int pane) {
   Parts& p = *parts_;
   const auto panes = p.panes();
   const auto from = panes[std::min(static_cast<std::size_t>(pane), panes.size() - 1)];
-  const std::string path = stem_of(p.options.left.title) + (pane == 1 ? "-preview-right.exr" : "-preview.exr");
   const auto how = notes(status(pane));
   const double stops = std::exp2(controls.exposure_stops);
-  p.saver.post([&p, from, path, how, stops] {
+  p.saver.post([&p, pane, from, how, stops] {
     Frame frame = from->with_picture([](const Picture& picture) { return picture.step > 0 ? whole_frame(picture) : Frame{}; });
     frame.how = how;
     frame.exposure *= stops;
-    p.tell(frame.stokes.empty() ? "there is no picture yet" : save(path, frame));
+    const std::string name = free_name(p.options.left.title, pane == 1 ? "preview-right" : "preview", ".exr");
+    p.tell(frame.stokes.empty() ? "there is no picture yet" : save(name, frame));
     p.wake();
   });
 }
@@ -92,7 +99,7 @@ std::string Session::camera_sdl() const {
 }
 
 void Session::save_camera() {
-  const std::string text = camera_sdl(), path = stem_of(parts_->options.left.title) + "-camera.inc";
+  const std::string text = camera_sdl(), path = free_name(parts_->options.left.title, "camera", ".inc");
   if (text.empty()) return tell("there is no camera yet");
   try {
     AtomicFile file(path);

@@ -107,8 +107,8 @@ struct Script::Parts {
       first_picture_seconds = seconds_since_start();
   }
   void settle() {
-    do turn();
-    while (screen.more_to_do());
+    for (turn(); screen.more_to_do() || screen.size_waits(); turn())
+      if (!screen.more_to_do()) surface.wait(0.02);
   }
   template <class Is>
   void until(Is is, const char* what) {
@@ -240,7 +240,8 @@ void Script::Parts::act(const Words& words, std::ostream& answers) {
     event.kind = Kind::key_release;
     push(event);
   } else if (verb == "do") {
-    if (!preview::act_by_name(session, word_at(words, 1))) throw ScriptError("there is no action '" + words[1] + "'");
+    const std::string name = fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
+    if (!preview::act_by_name(session, name)) throw ScriptError("there is no action '" + name + "'");
     screen.redraw();
     settle();
   } else if (verb == "move") {

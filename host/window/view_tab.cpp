@@ -63,7 +63,7 @@ void difference_figures(Ui& ui) {
     return;
   }
   if (!difference->comparable) {
-    ImGui::TextDisabled("not comparable yet: sizes, wavelengths");
+    ImGui::TextDisabled("not comparable yet");
     return;
   }
   ImGui::TextUnformatted(fmt::format("RMS {} %   colours: dE2000 up to {}", short_number(100 * difference->rms),

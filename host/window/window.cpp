@@ -18,6 +18,8 @@ using Kind = Event::Kind;
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr int frames_to_settle = 2;   // ImGui knows sizes a frame late
 
 bool is_switch(const std::string& key) {
@@ -46,6 +48,9 @@ struct Screen::Parts {
   std::uint64_t frames = 0;
   std::string shown_notice;
   std::array<double, 2> asked_size{};   // of the panes
+  std::array<double, 2> seen_size{};    // and what it has been since `seen_at`
+  Clock::time_point seen_at{};
+  bool size_waits = false;
   std::array<int, 2> fitted_size{};     // of the pictures then
   std::size_t shown_messages = 0;
   bool path_missing = false;
@@ -62,8 +67,9 @@ struct Screen::Parts {
 };
 
 // Asks for pictures as large as the panes, in the framebuffer's pixels, when the panes' size or the pictures' shape has
-// changed; not before a drag of the divider has ended.
+// changed; not before a drag of the divider has ended, nor while the window's edge is being dragged.
 void Screen::Parts::fit_pictures() {
+  size_waits = false;
   if (!options.pictures_fit_window || mouse.dragging()) return;
   lay_out();
   const double scale = surface.content_scale();
@@ -71,6 +77,12 @@ void Screen::Parts::fit_pictures() {
                                    std::floor(scale * layout.pane[0].height)};
   const auto pictures = [&] { return std::array<int, 2>{session.controls.width, session.controls.height}; };
   if ((size == asked_size && pictures() == fitted_size) || size[0] < 1 || size[1] < 1) return;
+  constexpr std::chrono::milliseconds rest{150};
+  const bool first = asked_size == std::array<double, 2>{};
+  if (size != seen_size) seen_at = Clock::now();
+  seen_size = size;
+  size_waits = !first && Clock::now() - seen_at < rest;
+  if (size_waits) return;
   asked_size = size;
   session.take_window_size(size[0], size[1]);
   fitted_size = pictures();
@@ -193,6 +205,7 @@ void Screen::turn() {
 
 void Screen::redraw() { parts_->settling = frames_to_settle + 1; }
 bool Screen::more_to_do() const { return parts_->settling > 0 || parts_->input.has_more(parts_->surface); }
+bool Screen::size_waits() const { return parts_->size_waits; }
 bool Screen::ended() const { return parts_->ended; }
 std::uint64_t Screen::frames_drawn() const { return parts_->frames; }
 const std::vector<std::pair<std::string, preview::Rect>>& Screen::widgets() const { return parts_->widgets; }
@@ -206,7 +219,6 @@ Screenshot Screen::screenshot() {
 }
 
 void run(preview::Session& session, Surface& surface, ScreenOptions options) {
-  using Clock = std::chrono::steady_clock;
   constexpr double least_pause_seconds = 0.05;   // between frames that nobody's hand asks for
   constexpr double look_again_seconds = 0.5;     // while a notice is shown, or work goes on
   Screen screen(session, surface, options);
@@ -215,7 +227,9 @@ void run(preview::Session& session, Surface& surface, ScreenOptions options) {
     if (screen.more_to_do() || screen.ended()) continue;
     const Clock::time_point drawn = Clock::now();
     const bool looks_again = !session.notice().empty() || !session.at_rest();
-    surface.wait(looks_again ? std::optional<double>(look_again_seconds) : std::nullopt);
+    surface.wait(screen.size_waits() ? std::optional<double>(least_pause_seconds)
+                 : looks_again       ? std::optional<double>(look_again_seconds)
+                                     : std::nullopt);
     while (!surface.has_events() && !surface.should_close()) {
       const double pause = least_pause_seconds - std::chrono::duration<double>(Clock::now() - drawn).count();
       if (pause <= 0) break;

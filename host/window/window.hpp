@@ -31,6 +31,7 @@ class Screen {
   void turn();
   void redraw();                      // the next turn draws: the controls were changed by other hands
   bool more_to_do() const;            // events are left, or a frame is to follow: the next turn should not wait
+  bool size_waits() const;            // for the window's size to stay as it is: a turn is to follow soon
   bool ended() const;                 // closed, by the window's button or a key
   std::uint64_t frames_drawn() const;
 

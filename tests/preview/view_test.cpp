@@ -1,5 +1,4 @@
 // False colours and ellipses: Stokes vectors whose polarization is known.
-#include <chrono>
 #include <cmath>
 
 #include "host/preview/ellipse.hpp"
@@ -198,35 +197,6 @@ TEST_CASE("view: ellipses stand where there is polarized light") {
   CHECK(all[0].x == 25.5);
   CHECK(all[0].y == 5.5);
   CHECK(ellipses(make_picture(40, 20, {550}, {1}), of(Quantity::ellipses), 10).empty());
-}
-
-TEST_CASE("view: a picture is developed faster than a frame of the window takes") {
-  std::vector<double> lambda_nm;
-  for (int i = 0; i < 21; ++i) lambda_nm.push_back(380 + 20 * i);
-  Picture picture = uniform(640, 480, {1, 0.3f, -0.2f, 0.4f}, lambda_nm);
-  for (const bool coarse : {false, true}) {
-    if (coarse) picture.step = 16;
-    if (coarse)
-      for (int y = 0; y < 480; ++y)
-        for (int x = 0; x < 640; ++x)
-          if (x % 16 || y % 16) picture.frame.samples[static_cast<std::size_t>(y) * 640 + x] = 0;
-    for (const Quantity quantity : all_quantities())
-      for (const bool one : {false, true}) {
-        const View view{quantity, one ? std::optional<std::size_t>(10) : std::nullopt};
-        const std::string what =
-            std::string(name_of(quantity)) + (one ? " at one wavelength" : "") + (coarse ? ", coarse" : "");
-        double best_ms = INFINITY;
-        for (int repeat = 0; repeat < 5; ++repeat) {
-          const auto start = std::chrono::steady_clock::now();
-          const Developed developed = develop(picture, view);
-          const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-          best_ms = std::min(best_ms, took.count());
-          CHECK(developed.rgb[0] >= 0);
-        }
-        MESSAGE(what, ": ", best_ms, " ms");
-        CHECK(best_ms < 40);  // a frame at 25 Hz, on a machine that does other things too
-      }
-  }
 }
 
 }  // namespace nicol::preview
