@@ -17,7 +17,7 @@ struct WindowSize {
 
 // Both pictures at their full size beside the panel, within what most screens hold.
 WindowSize window_size(const PreviewCommand& command) {
-  constexpr int least_width = 900, least_height = 600, most_width = 1800, most_height = 1000;
+  constexpr int least_width = 900, least_height = 720, most_width = 1800, most_height = 1000;
   const double width = 2 * command.options.width + preview::divider_width + preview::panel_width;
   const double height = command.options.height + preview::status_height;
   return {std::clamp(static_cast<int>(width), least_width, most_width), std::clamp(static_cast<int>(height), least_height, most_height)};
