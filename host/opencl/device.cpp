@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <mutex>
 
 #include "host/opencl/cache_folder.hpp"
 #include "host/opencl/device_impl.hpp"
@@ -52,7 +53,10 @@ std::vector<cl::Platform> platforms() {
   return found;
 }
 
+// One thread at a time: drivers are loaded by the first call, and not all of them mind others meanwhile.
 std::vector<Found> find_devices() {
+  static std::mutex one_at_a_time;
+  const std::lock_guard<std::mutex> held(one_at_a_time);
   std::vector<Found> found;
   for (const cl::Platform& platform : platforms()) {
     std::vector<cl::Device> devices;

@@ -38,7 +38,7 @@ class Device {
   }
 
   // First launches, in which PoCL compiles, and the saving of binaries take turns; comes after `launches`.
-  std::mutex compiling;
+  static inline std::mutex compiling;   // one for all devices: PoCL keeps one table of loaded code
 
   // Kernels of this process by identity (see program.cpp), so that a second picture builds nothing. Held for look-ups only.
   std::mutex kernels_lock;
