@@ -4,76 +4,22 @@
 
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <istream>
 #include <map>
 #include <ostream>
-#include <sstream>
-#include <thread>
 
 #include "host/output/frame.hpp"
 #include "host/window/script_state.hpp"
+#include "host/window/script_words.hpp"
 
 namespace nicol::window {
 namespace {
 
 using Kind = Event::Kind;
-using Words = std::vector<std::string>;
 using Clock = std::chrono::steady_clock;
 
 constexpr double patience_seconds = 300;
-
-Words split(const std::string& line) {
-  Words words;
-  std::istringstream in(line);
-  for (std::string word; in >> std::ws && in.peek() != '#' && in.peek() != std::istream::traits_type::eof();) {
-    if (in.peek() == '"') {
-      in.get();
-      std::getline(in, word, '"');
-    } else {
-      in >> word;
-    }
-    words.push_back(word);
-  }
-  return words;
-}
-
-double number(const std::string& word) {
-  std::size_t end = 0;
-  double value = 0;
-  try {
-    value = std::stod(word, &end);
-  } catch (const std::exception&) {
-    end = 0;
-  }
-  if (end == 0 || end != word.size() || !std::isfinite(value)) throw ScriptError("'" + word + "' is not a number");
-  return value;
-}
-
-const std::string& word_at(const Words& words, std::size_t i) {
-  if (i >= words.size()) throw ScriptError("'" + words.front() + "' lacks a word");
-  return words[i];
-}
-
-preview::Button button_named(const std::string& name) {
-  if (name == "left") return preview::Button::left;
-  if (name == "middle") return preview::Button::middle;
-  if (name == "right") return preview::Button::right;
-  throw ScriptError("a button is left, middle or right, not '" + name + "'");
-}
-
-void replace_in(const std::string& path, const std::string& old, const std::string& text) {
-  std::ifstream in(path, std::ios::binary);
-  std::string all{std::istreambuf_iterator<char>(in), {}};
-  if (!in) throw ScriptError("cannot read " + path);
-  const std::size_t at = all.find(old);
-  if (old.empty() || at == std::string::npos) throw ScriptError("'" + old + "' does not stand in " + path);
-  all.replace(at, old.size(), text);
-  std::ofstream out(path, std::ios::binary);
-  out << all;
-  if (!out.flush()) throw ScriptError("cannot write " + path);
-}
 
 void save(const std::string& path, const Screenshot& shot) {
   Frame frame;
@@ -139,6 +85,11 @@ struct Script::Parts {
   void wait(const Words& words);
   void drag(const Words& words);
   void set(const Words& words);
+  void key(const std::string& name);
+  void scroll(double steps);
+  void click(const Words& words);
+  void resize(const Words& words);
+  void act_by_name(const Words& words);
   void act(const Words& words, std::ostream& answers);
 };
 
@@ -187,7 +138,7 @@ void Script::Parts::wait(const Words& words) {
 void Script::Parts::drag(const Words& words) {
   std::size_t i = 1;
   const preview::Point from = place(words, i), to = place(words, i);
-  const preview::Button which = i < words.size() ? button_named(words[i]) : preview::Button::left;
+  const preview::Button which = button_at(words, i);
   move_to(from);
   button(Kind::mouse_press, which);
   constexpr int steps = 8;
@@ -226,64 +177,70 @@ void Script::Parts::set(const Words& words) {
   settle();
 }
 
-void Script::Parts::act(const Words& words, std::ostream& answers) {
-  const std::string& verb = words.front();
+void Script::Parts::key(const std::string& name) {
+  Event event;
+  event.kind = Kind::key_press;
+  event.key = name;
+  surface.push(event);
+  event.kind = Kind::key_release;
+  push(event);
+}
+
+void Script::Parts::scroll(double steps) {
+  Event event;
+  event.kind = Kind::scroll;
+  event.scroll_up = steps;
+  push(event);
+}
+
+void Script::Parts::click(const Words& words) {
   std::size_t i = 1;
-  const auto which = [&] { return i < words.size() ? button_named(words[i]) : preview::Button::left; };
-  if (verb == "wait") {
-    wait(words);
-  } else if (verb == "key") {
-    Event event;
-    event.kind = Kind::key_press;
-    event.key = word_at(words, 1);
-    surface.push(event);
-    event.kind = Kind::key_release;
-    push(event);
-  } else if (verb == "do") {
-    const std::string name = fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
-    if (!preview::act_by_name(session, name)) throw ScriptError("there is no action '" + name + "'");
-    screen.redraw();
-    settle();
-  } else if (verb == "move") {
-    move_to(place(words, i));
-  } else if (verb == "press") {
-    button(Kind::mouse_press, which());
-  } else if (verb == "release") {
-    button(Kind::mouse_release, which());
-  } else if (verb == "click") {
-    move_to(place(words, i));
-    button(Kind::mouse_press, which());
-    button(Kind::mouse_release, which());
-  } else if (verb == "drag") {
-    drag(words);
-  } else if (verb == "scroll") {
-    Event event;
-    event.kind = Kind::scroll;
-    event.scroll_up = number(word_at(words, 1));
-    push(event);
-  } else if (verb == "size") {
-    if (!offscreen) throw ScriptError("'size' is for scripts without a display");
-    const double width = number(word_at(words, 1)), height = number(word_at(words, 2));
-    if (width < 1 || height < 1 || width > 16384 || height > 16384) throw ScriptError("a window has 1 to 16384 pixels a side");
-    offscreen->resize(static_cast<int>(width), static_cast<int>(height));
-    settle();
-  } else if (verb == "set") {
-    set(words);
-  } else if (verb == "replace") {
-    replace_in(word_at(words, 1), word_at(words, 2), word_at(words, 3));
-  } else if (verb == "screenshot") {
-    settle();
-    save(word_at(words, 1), screen.screenshot());
-  } else if (verb == "state") {
-    answers << state_text(session, surface, screen, first_picture_seconds) << std::endl;
-  } else if (verb == "pixel") {
-    const int pane = word_at(words, 1) == "right";
-    answers << pixel_text(session, pane, static_cast<int>(number(word_at(words, 2))), static_cast<int>(number(word_at(words, 3)))) << std::endl;
-  } else if (verb == "quit") {
-    quit = true;
-  } else {
-    throw ScriptError("there is no command '" + verb + "'");
-  }
+  move_to(place(words, i));
+  const preview::Button which = button_at(words, i);
+  button(Kind::mouse_press, which);
+  button(Kind::mouse_release, which);
+}
+
+void Script::Parts::resize(const Words& words) {
+  if (!offscreen) throw ScriptError("'size' is for scripts without a display");
+  const double width = number(word_at(words, 1)), height = number(word_at(words, 2));
+  if (width < 1 || height < 1 || width > 16384 || height > 16384) throw ScriptError("a window has 1 to 16384 pixels a side");
+  offscreen->resize(static_cast<int>(width), static_cast<int>(height));
+  settle();
+}
+
+void Script::Parts::act_by_name(const Words& words) {
+  const std::string name = fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
+  if (!preview::act_by_name(session, name)) throw ScriptError("there is no action '" + name + "'");
+  screen.redraw();
+  settle();
+}
+
+void Script::Parts::act(const Words& words, std::ostream& answers) {
+  const std::map<std::string, std::function<void()>> commands{
+      {"wait", [&] { wait(words); }},
+      {"key", [&] { key(word_at(words, 1)); }},
+      {"do", [&] { act_by_name(words); }},
+      {"move", [&] { std::size_t i = 1; move_to(place(words, i)); }},
+      {"press", [&] { button(Kind::mouse_press, button_at(words, 1)); }},
+      {"release", [&] { button(Kind::mouse_release, button_at(words, 1)); }},
+      {"click", [&] { click(words); }},
+      {"drag", [&] { drag(words); }},
+      {"scroll", [&] { scroll(number(word_at(words, 1))); }},
+      {"size", [&] { resize(words); }},
+      {"set", [&] { set(words); }},
+      {"replace", [&] { replace_in(word_at(words, 1), word_at(words, 2), word_at(words, 3)); }},
+      {"screenshot", [&] { settle(); save(word_at(words, 1), screen.screenshot()); }},
+      {"state", [&] { answers << state_text(session, surface, screen, first_picture_seconds) << std::endl; }},
+      {"pixel",
+       [&] {
+         const int x = static_cast<int>(number(word_at(words, 2))), y = static_cast<int>(number(word_at(words, 3)));
+         answers << pixel_text(session, word_at(words, 1) == "right", x, y) << std::endl;
+       }},
+      {"quit", [&] { quit = true; }}};
+  const auto command = commands.find(words.front());
+  if (command == commands.end()) throw ScriptError("there is no command '" + words.front() + "'");
+  command->second();
 }
 
 Script::Script(preview::Session& session, Surface& surface, OffscreenSurface* offscreen, ScreenOptions options)
