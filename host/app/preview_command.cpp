@@ -126,7 +126,9 @@ void leave_out(const PaneWish& wish, Scene& scene, preview::ReadResult& result) 
   }
 }
 
-preview::ReadResult read_pane(PaneWish wish, int width, int height, Device& device, const std::atomic<bool>& cancel) {
+// choose: the settings that keep the scene's error; else those come later.
+using Choose = std::function<bool(const PaneWish&, double error, std::unique_ptr<LoadedScene>&, preview::ReadResult&)>;
+preview::ReadResult read_pane(PaneWish wish, int width, int height, const Choose& choose) {
   wish.options.width = width;
   wish.options.height = height;
   ReadScene read = read_scene(wish.scene, wish.options);
@@ -137,9 +139,11 @@ preview::ReadResult read_pane(PaneWish wish, int width, int height, Device& devi
     if (d.severity != sdl::Severity::note) result.messages.push_back(message_of(diagnostics, read.loaded->parsed.sources, d));
   if (!read.whole) return result;
   const double error = read.loaded->scene.settings.error;
-  if (error > 0 && !keep_error(wish, error, device, cancel, read.loaded, result)) {
-    result.messages.clear();
-    return result;
+  if (error > 0 && !choose) {
+    result.choice_wanted = true;
+    result.chosen = fmt::format("error {:g} %: settings are chosen after a first picture", 100 * error);
+  } else if (error > 0 && !choose(wish, error, read.loaded, result)) {
+    return {};
   }
   leave_out(wish, read.loaded->scene, result);
   result.geometry = std::make_shared<const Geometry>(std::move(read.loaded->geometry));
@@ -170,8 +174,11 @@ preview::PaneSource source_of(const PaneWish& wish, const std::shared_ptr<Shared
   source.title = wish.title;
   source.kernel = kernel_options(wish.device);
   source.open_device = [device = wish.device, devices] { return devices->open(device); };
-  source.read = [wish](int width, int height, Device& device, const std::atomic<bool>& cancel) {
-    return read_pane(wish, width, height, device, cancel);
+  source.read = [wish](int width, int height) { return read_pane(wish, width, height, {}); };
+  source.choose = [wish](int width, int height, Device& device, const std::atomic<bool>& cancel) {
+    return read_pane(wish, width, height, [&](const PaneWish& sized, double error, auto& loaded, auto& result) {
+      return keep_error(sized, error, device, cancel, loaded, result);
+    });
   };
   return source;
 }

@@ -7,15 +7,18 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 namespace nicol::preview {
 namespace {
 
 namespace fs = std::filesystem;
 constexpr std::uint32_t events = IN_CLOSE_WRITE | IN_MOVED_TO | IN_CREATE | IN_DELETE;
-constexpr int quiet_ms = 40;   // editors write in several steps
+constexpr std::uint32_t folder_went = IN_DELETE_SELF | IN_MOVE_SELF;
+constexpr std::chrono::milliseconds quiet{40};   // editors write in several steps
 
 }  // namespace
 
@@ -45,9 +48,10 @@ std::string FileWatch::failure() const {
 void FileWatch::add(const std::string& file) {
   const fs::path path(file);
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  const int watch = inotify_add_watch(inotify_, folder.c_str(), events);
+  const int watch = inotify_add_watch(inotify_, folder.c_str(), events | folder_went);
   if (watch < 0) {
-    if (errno != ENOENT) failure_ = "changes in " + folder.string() + " are not seen (" + std::strerror(errno) + ")";
+    if (errno == ENOENT) add(folder.string());   // told of when the folder comes
+    else failure_ = "changes in " + folder.string() + " are not seen (" + std::strerror(errno) + ")";
     return;
   }
   const auto known = std::find_if(folders_.begin(), folders_.end(), [&](const auto& f) { return f.first == watch; });
@@ -58,11 +62,17 @@ void FileWatch::add(const std::string& file) {
 void FileWatch::watch(const std::vector<std::string>& files, bool any_new) {
   if (!thread_.joinable()) return;
   const std::lock_guard<std::mutex> held(lock_);
+  files_ = files;
+  any_new_ = any_new;
+  renew();
+}
+
+// Folders may have come, gone or been put in the place of others.
+void FileWatch::renew() {
   const auto before = std::move(folders_);
   folders_.clear();
   failure_.clear();
-  any_new_ = any_new;
-  for (const std::string& file : files) {
+  for (const std::string& file : files_) {
     add(file);
     std::error_code failed;
     const fs::path behind = fs::canonical(file, failed);
@@ -86,27 +96,32 @@ bool FileWatch::drain() {
       const auto* event = reinterpret_cast<const inotify_event*>(buffer.data() + at);
       at += static_cast<ssize_t>(sizeof *event + event->len);
       if (event->mask & IN_Q_OVERFLOW) matters = true;
-      if (event->len == 0) continue;
-      for (const auto& [watch, folder] : folders_)
-        if (watch == event->wd)
-          matters |= folder.names.count(event->name) > 0 || (any_new_ && (event->mask & (IN_CLOSE_WRITE | IN_MOVED_TO)));
+      for (const auto& [watch, folder] : folders_) {
+        if (watch != event->wd) continue;
+        const bool named = event->len > 0 && folder.names.count(event->name) > 0;
+        matters |= named || (event->mask & folder_went) || (any_new_ && (event->mask & (IN_CLOSE_WRITE | IN_MOVED_TO)));
+      }
     }
   }
 }
 
 void FileWatch::run() {
-  bool pending = false;
+  using Clock = std::chrono::steady_clock;
+  std::optional<Clock::time_point> due;   // other files that come and go do not put it off
   for (;;) {
+    const auto left = due ? std::chrono::ceil<std::chrono::milliseconds>(*due - Clock::now()).count() : -1;
     std::array<pollfd, 2> ends{{{inotify_, POLLIN, 0}, {stop_[0], POLLIN, 0}}};
-    const int ready = poll(ends.data(), ends.size(), pending ? quiet_ms : -1);
-    if (ends[1].revents) return;
+    const int ready = poll(ends.data(), ends.size(), due ? static_cast<int>(std::max<long long>(left, 0)) : -1);
     if (ready < 0 && errno != EINTR) return;
-    if (ready > 0) {
-      pending |= drain();
-    } else if (ready == 0 && pending) {
-      pending = false;
-      changed_();
+    if (ready > 0 && ends[1].revents) return;
+    if (ready > 0 && drain()) due = Clock::now() + quiet;
+    if (!due || Clock::now() < *due) continue;
+    due.reset();
+    {
+      const std::lock_guard<std::mutex> held(lock_);
+      renew();
     }
+    changed_();
   }
 }
 

@@ -19,6 +19,7 @@ class FileWatch {
   FileWatch& operator=(const FileWatch&) = delete;
 
   // In place of those before. any_new: also a file of another name that comes into one of their folders (one that was missing).
+  // A folder that is missing is waited for.
   void watch(const std::vector<std::string>& files, bool any_new);
 
   std::string failure() const;   // why changes are not seen; empty: they are
@@ -31,9 +32,11 @@ class FileWatch {
   void run();
   bool drain();                  // reads the events; whether one matters
   void add(const std::string& file);
+  void renew();                  // with lock_ held
 
   std::function<void()> changed_;
   mutable std::mutex lock_;
+  std::vector<std::string> files_;
   std::vector<std::pair<int, Folder>> folders_;   // by watch descriptor
   bool any_new_ = false;
   std::string failure_;

@@ -4,7 +4,8 @@
 
 namespace nicol::preview {
 
-LatestJob::LatestJob(bool all_in_turn) : all_in_turn_(all_in_turn), thread_([this] { run(); }) {}
+LatestJob::LatestJob(bool all_in_turn, std::function<void()> after)
+    : all_in_turn_(all_in_turn), after_(std::move(after)), thread_([this] { run(); }) {}
 
 LatestJob::~LatestJob() {
   {
@@ -41,6 +42,10 @@ void LatestJob::run() {
     job();
     held.lock();
     busy_ = false;
+    if (!after_) continue;
+    held.unlock();
+    after_();
+    held.lock();
   }
 }
 

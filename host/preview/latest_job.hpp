@@ -10,7 +10,8 @@ namespace nicol::preview {
 
 class LatestJob {
  public:
-  explicit LatestJob(bool all_in_turn = false);
+  // `after` is called from the thread after each job, when idle() tells that it is done.
+  explicit LatestJob(bool all_in_turn = false, std::function<void()> after = {});
   ~LatestJob();                          // waits for the job in work, and for all in turn; else what waits is dropped
   void post(std::function<void()> job);  // must not throw
   bool idle() const;
@@ -21,6 +22,7 @@ class LatestJob {
   std::condition_variable news_;
   std::deque<std::function<void()>> next_;
   const bool all_in_turn_;
+  const std::function<void()> after_;
   bool busy_ = false, stop_ = false;
   std::thread thread_;
 };

@@ -7,6 +7,8 @@
 namespace nicol::preview {
 namespace {
 
+constexpr int every_pixel_once = 8;   // an urgency: after the stages of one sample a pixel
+
 double brightest_radiance(const Scene& scene) {
   double most = 0;
   const auto take = [&](const Samples& radiance) {
@@ -49,20 +51,30 @@ void Pane::yield() {
   if (long_) cancel_ = true;
 }
 
+void Pane::stop() {
+  const std::lock_guard<std::mutex> held(lock_);
+  stopped_ = cancel_ = true;
+}
+
 int Pane::urgency() const {
   const std::lock_guard<std::mutex> held(lock_);
+  if (stopped_) return nothing;
   if (read_wanted_) return 0;
-  if (wanted_ && scene_) return 1;
+  if ((wanted_ && scene_) || first_is_in_work()) return 1;
   if (look_for_kernel_ && prepared_) return 2;
+  if (choice_is_due()) return every_pixel_once;
   return tracing_ && !waits_for_kernel_ ? 2 + stage_ : nothing;
 }
 
 void Pane::work() {
-  bool to_read = false, to_begin = false;
+  bool to_read = false, to_begin = false, to_choose = false;
   {
     const std::lock_guard<std::mutex> held(lock_);
+    if (stopped_) return;
     to_read = read_wanted_;
-    to_begin = wanted_.has_value() && scene_;
+    // What is seen first is finished: something new is seen even while the mouse moves on and on.
+    to_begin = wanted_ && scene_ && !first_is_in_work();
+    to_choose = choice_is_due();
     cancel_ = quit_.load();
   }
   long_ = false;
@@ -73,6 +85,7 @@ void Pane::work() {
       choose_kernel();
       time_kernel();
     }
+    if (to_choose) return choose_settings();
     if (waits_for_kernel_ || !tracing_) return;
     if (stages_[static_cast<std::size_t>(stage_)].adaptive) trace_adaptively();
     else trace();
@@ -89,6 +102,7 @@ void Pane::fail(const std::string& why) {
     s.failure = why;
     s.working = s.reading = s.building = false;
     s.done = true;
+    choice_wanted_ = false;
   });
 }
 
@@ -105,17 +119,26 @@ void Pane::read() {
     if (scene_ || !wanted_) asked_ = Clock::now();
   }
   if (!device) device = source_.open_device();
-  long_ = true;
-  ReadResult result = source_.read(width, height, *device, cancel_);
-  long_ = false;
+  ReadResult result = source_.read(width, height);
   const std::lock_guard<std::mutex> held(lock_);
   device_ = device;
   status_.device = info(*device).name;
-  if (!result.scene && result.messages.empty()) {   // stopped by something more urgent: once more later
-    read_wanted_ = true;
-    return;
-  }
-  if (!result.files.empty()) files_ = result.files;
+  take(std::move(result));
+}
+
+// One render after another; when something more urgent comes it is given up, and begun anew later.
+void Pane::choose_settings() {
+  const Look look = *look_;
+  long_ = true;
+  ReadResult result = source_.choose(look.width, look.height, *device_, cancel_);
+  long_ = false;
+  const std::lock_guard<std::mutex> held(lock_);
+  if (!result.files.empty() && !read_wanted_) take(std::move(result));
+}
+
+void Pane::take(ReadResult result) {
+  files_ = result.files;
+  choice_wanted_ = result.choice_wanted;
   status_.reading = read_wanted_;
   status_.messages = std::move(result.messages);
   status_.stale = !result.scene;

@@ -23,7 +23,7 @@ class Pane {
 
   void ask(const Look& look);             // in place of what is in work
   void ask_read();                        // reads its files again
-  void stop() { cancel_ = true; }         // what is in work ends soon
+  void stop();                            // for good: what is in work ends soon
   void yield();                           // something else is more urgent than a stage that takes long
   void kernels_changed() { look_for_kernel_ = true; }
 
@@ -53,6 +53,8 @@ class Pane {
   using Clock = std::chrono::steady_clock;
 
   void read();
+  void take(ReadResult result);           // with lock_ held
+  void choose_settings();                 // that keep an error
   void begin();                           // prepares the scene as it is to be looked at
   void resize_picture();
   void choose_kernel();
@@ -71,6 +73,9 @@ class Pane {
     change(status_);
   }
   bool first_stage() const { return stage_ == 0; }
+  bool first_is_in_work() const { return tracing_ && first_stage() && !waits_for_kernel_; }
+  bool choice_is_due() const { return choice_wanted_ && !waits_for_kernel_ && (!tracing_ || status_.step == 1); }   // with lock_ held
+  bool is_given_up(Clock::time_point begun, int step) const;
 
   const PaneSource source_;
   SideBuilder& builder_;
@@ -81,7 +86,7 @@ class Pane {
   PaneStatus status_;
   std::optional<Look> wanted_;            // not begun yet
   std::optional<Look> look_;              // in work
-  bool read_wanted_ = true;
+  bool read_wanted_ = true, choice_wanted_ = false, stopped_ = false;
   Clock::time_point asked_;
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Geometry> geometry_;

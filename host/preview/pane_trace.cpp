@@ -28,7 +28,13 @@ void Pane::enter_stage() {
   for (const Stage& s : stages_) pixels_ahead_ = std::max(pixels_ahead_, plane * s.sample_end);
 }
 
-// The first stage is never given up for another look: something new is seen even while the mouse moves on and on.
+// The first stage is given up for another look only where it takes long and a coarser one would not.
+bool Pane::is_given_up(Clock::time_point begun, int step) const {
+  constexpr std::chrono::milliseconds patience{300};
+  const std::lock_guard<std::mutex> held(lock_);
+  return quit_ || stopped_ || (wanted_ && step < coarsest_step && Clock::now() - begun > patience);
+}
+
 void Pane::trace() {
   const Stage stage = stages_[static_cast<std::size_t>(stage_)];
   const int samples = stage.sample_end - stage.sample_begin;
@@ -40,14 +46,26 @@ void Pane::trace() {
   RenderOptions options;
   options.kernel = kernel_;
   options.tile_seconds = tile_seconds;
-  options.cancel = first_stage() ? &quit_ : &cancel_;
+  std::atomic<bool> given_up{false};
+  double traced = 0;   // part of it
+  const auto begun = Clock::now();
+  if (first_stage())
+    options.progress = [&](const Progress& now) {
+      traced = now.fraction;
+      given_up = is_given_up(begun, stage.step);
+    };
+  options.cancel = first_stage() ? &given_up : &cancel_;
   const auto positions = pixel_samples(stage.sample_end);
   options.positions.assign(positions.begin() + stage.sample_begin, positions.end());
   options.pixels.assign(pixels_.begin() + static_cast<std::ptrdiff_t>(at_), pixels_.begin() + static_cast<std::ptrdiff_t>(at_ + count));
   RenderReport report;
   const Scene& scene = prepared_->scene;
   const Frame part = render(*device_, prepared_->packed, scene.lambda_nm, scene.weight_nm, options, report);
-  if (report.interrupted) return;
+  if (report.interrupted) {
+    if (first_stage() && traced > 0) pixel_seconds_ = std::chrono::duration<double>(Clock::now() - begun).count() / (traced * static_cast<double>(count));
+    tracing_ = tracing_ && !first_stage();
+    return;
+  }
   sink_.expect(options.pixels.data(), count, samples, stage.step);
   sink_.write(part);
   at_ += count;

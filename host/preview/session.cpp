@@ -55,9 +55,9 @@ void Session::Parts::sync_panes(const Controls& controls) {
   auto now = panes();
   if (wants_right(controls) == (now.size() > 1)) return;
   if (now.size() > 1) {
+    now.back()->stop();
     now.pop_back();
     asked[1].reset();
-    shown[1].done = false;
   } else {
     PaneSource source = options.right ? *options.right : options.left;
     now.push_back(std::make_shared<Pane>(std::move(source), builder, options, quit));
@@ -138,13 +138,14 @@ const Developed& Session::developed(int pane) const {
   Parts& p = *parts_;
   const auto panes = p.panes();
   Parts::Shown& shown = p.shown[static_cast<std::size_t>(pane)];
-  const Pane& own = *panes[std::min(static_cast<std::size_t>(pane), panes.size() - 1)];
+  const auto& pane_shown = panes[std::min(static_cast<std::size_t>(pane), panes.size() - 1)];
+  const Pane& own = *pane_shown;
   const bool difference = pane == 1 && controls.show_difference && compares();
   const View view = shown_view(difference ? 0 : pane);
   const std::uint64_t version = own.picture_version(), other = difference ? panes[0]->picture_version() : 0;
   const bool same_view = shown.view.quantity == view.quantity && shown.view.wavelength == view.wavelength;
   const bool same = shown.difference == difference && same_view;
-  if (shown.done && shown.picture == version && shown.other == other && same) return shown.developed;
+  if (shown.done && shown.of.lock() == pane_shown && shown.picture == version && shown.other == other && same) return shown.developed;
   // Differences take a while: not at each step of a picture that still gets finer.
   const auto now = std::chrono::steady_clock::now();
   constexpr std::chrono::milliseconds pause{300};
@@ -159,6 +160,7 @@ const Developed& Session::developed(int pane) const {
   } else {
     shown.developed = own.with_picture([&](const Picture& picture) { return develop(picture, view); });
   }
+  shown.of = pane_shown;
   shown.view = view;
   shown.picture = version;
   shown.other = other;

@@ -37,14 +37,16 @@ struct ReadResult {
   std::shared_ptr<const Geometry> geometry;
   std::vector<Message> messages;
   std::vector<std::string> files;                       // that were read or looked for
+  bool choice_wanted = false;                           // settings that keep an error are still to be chosen
   bool real_double = false;                             // a kept error asks for double
-  std::string chosen;                                   // settings that keep an error: what was chosen; else empty
+  std::string chosen;                                   // settings that keep an error: what was chosen, or that they are still to be; else empty
 };
 
 struct PaneSource {
   std::string title;
-  // May take long; stops early, with no scene and no messages, once `cancel` is set.
-  std::function<ReadResult(int width, int height, Device& device, const std::atomic<bool>& cancel)> read;
+  std::function<ReadResult(int width, int height)> read;
+  // Reads and chooses the settings that keep the scene's error. Takes long; gives no files once `cancel` is set.
+  std::function<ReadResult(int width, int height, Device& device, const std::atomic<bool>& cancel)> choose;
   std::function<std::shared_ptr<Device>()> open_device; // throws DeviceError
   KernelOptions kernel;
 };

@@ -19,7 +19,7 @@ struct Session::Parts {
 
   // ---- work ----
   void run();                                   // the working thread
-  std::shared_ptr<Pane> most_urgent();
+  std::shared_ptr<Pane> most_urgent();          // among equals the one that had no turn last
   void rest();                                  // nothing to do: kernels are kept for the next start
   void notify();                                // there is something to do
   void set_panes(std::vector<std::shared_ptr<Pane>> panes);
@@ -34,6 +34,7 @@ struct Session::Parts {
   void tell(std::string text);
 
   struct Shown {
+    std::weak_ptr<const Pane> of;
     Developed developed;
     View view;
     std::uint64_t picture = 0, other = 0, version = 0;
@@ -45,6 +46,7 @@ struct Session::Parts {
     int x = -1, y = -1;
     std::size_t wavelength = 0;
     std::optional<PixelPath> found;
+    std::shared_ptr<std::atomic<bool>> given_up;   // tells the job that looks for it
   };
 
   const SessionOptions options;
@@ -54,6 +56,7 @@ struct Session::Parts {
   mutable std::mutex panes_lock;
   std::condition_variable news;
   std::vector<std::shared_ptr<Pane>> panes_;
+  const Pane* had_turn = nullptr;               // of the working thread
   std::uint64_t requests = 0;                   // with panes_lock
   std::atomic<std::uint64_t> pieces{0};         // of work done
   std::atomic<bool> resting{false};

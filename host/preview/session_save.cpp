@@ -44,10 +44,15 @@ std::vector<std::pair<std::string, std::string>> notes(const PaneStatus& status)
           {"without", without.empty() ? "nothing left out" : without}};
 }
 
-std::string save(const std::string& path, const Frame& frame) {
+// A line that says what became of it.
+template <class Make>
+std::string save(const std::string& path, Make frame) {
   try {
-    make_sink(path)->write(frame);
+    const Frame& whole = frame();
+    make_sink(path)->write(whole);
     return "saved " + path;
+  } catch (const std::bad_alloc&) {
+    return "the memory does not suffice to save " + path;
   } catch (const std::exception& error) {
     return error.what();
   }
@@ -72,7 +77,7 @@ void Session::save_picture(int pane) {
   frame.how.emplace_back("shown", differs ? "difference" : name_of(shown_view(pane).quantity));
   Parts& p = *parts_;
   p.saver.post([&p, pane, frame = std::move(frame)] {
-    p.tell(save(free_name(p.options.left.title, pane == 1 ? "preview-right" : "preview", ".png"), frame));
+    p.tell(save(free_name(p.options.left.title, pane == 1 ? "preview-right" : "preview", ".png"), [&]() -> const Frame& { return frame; }));
     p.wake();
   });
 }
@@ -84,11 +89,14 @@ void Session::save_spectra(int pane) {
   const auto how = notes(status(pane));
   const double stops = std::exp2(controls.exposure_stops);
   p.saver.post([&p, pane, from, how, stops] {
-    Frame frame = from->with_picture([](const Picture& picture) { return picture.step > 0 ? whole_frame(picture) : Frame{}; });
-    frame.how = how;
-    frame.exposure *= stops;
     const std::string name = free_name(p.options.left.title, pane == 1 ? "preview-right" : "preview", ".exr");
-    p.tell(frame.stokes.empty() ? "there is no picture yet" : save(name, frame));
+    p.tell(save(name, [&] {
+      Frame frame = from->with_picture([](const Picture& picture) { return picture.step > 0 ? whole_frame(picture) : Frame{}; });
+      if (frame.stokes.empty()) throw std::runtime_error("there is no picture yet");
+      frame.how = how;
+      frame.exposure *= stops;
+      return frame;
+    }));
     p.wake();
   });
 }

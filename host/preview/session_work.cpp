@@ -19,10 +19,13 @@ SessionOptions with_kernels_kept_later(SessionOptions options) {
 }  // namespace
 
 Session::Parts::Parts(SessionOptions session_options, const Controls& controls, std::function<void()> wake_window)
-    : options(with_kernels_kept_later(std::move(session_options))), wake(std::move(wake_window)), at_start(controls), builder([this] {
-        for (const auto& pane : panes()) pane->kernels_changed();
-        notify();
-      }),
+    : options(with_kernels_kept_later(std::move(session_options))), wake(std::move(wake_window)), at_start(controls),
+      builder(
+          [this] {
+            for (const auto& pane : panes()) pane->kernels_changed();
+            notify();
+          },
+          [this] { notify(); }),
       watch([this] {
         for (const auto& pane : panes()) pane->ask_read();
         notify();
@@ -35,6 +38,8 @@ Session::Parts::Parts(SessionOptions session_options, const Controls& controls, 
 Session::Parts::~Parts() {
   quit = true;
   for (const auto& pane : panes()) pane->stop();
+  for (const Path& way : path)
+    if (way.given_up) *way.given_up = true;
   notify();
   worker.join();
 }
@@ -78,7 +83,7 @@ std::shared_ptr<Pane> Session::Parts::most_urgent() {
   int least = Pane::nothing;
   for (const auto& pane : panes()) {
     const int urgency = pane->urgency();
-    if (urgency < least) {
+    if (urgency < least || (best && urgency == least && best.get() == had_turn)) {
       least = urgency;
       best = pane;
     }
@@ -86,13 +91,15 @@ std::shared_ptr<Pane> Session::Parts::most_urgent() {
   return best;
 }
 
-void Session::Parts::rest() {
+void Session::Parts::rest() try {
   for (const auto& pane : panes()) {
     const auto device = pane->device();
     if (!device || !builder.idle()) continue;
     if (pane->prepared()) builder.build_generic(device, pane->kernel());
     if (builder.idle()) save_kernels(*device);
   }
+} catch (const std::exception& error) {   // the next start builds them again
+  tell(error.what());
 }
 
 void Session::Parts::run() {
@@ -105,6 +112,7 @@ void Session::Parts::run() {
     if (quit) return;
     if (const auto pane = most_urgent()) {
       pane->work();
+      had_turn = pane.get();
       ++pieces;
       wake();
       continue;
@@ -163,24 +171,28 @@ std::optional<PixelPath> Session::pixel_path(int pane, int x, int y) {
   if (!prepared || x < 0 || y < 0 || x >= prepared->width || y >= prepared->height) return std::nullopt;
   const std::size_t middle = prepared->scene.lambda_nm.size() / 2;
   const std::size_t wavelength = std::min(shown_view(pane).wavelength.value_or(middle), prepared->scene.lambda_nm.size() - 1);
+  const auto given_up = std::make_shared<std::atomic<bool>>(false);
   {
     const std::lock_guard<std::mutex> held(p.path_lock);
     Parts::Path& path = p.path[at];
     if (path.prepared == prepared && path.x == x && path.y == y && path.wavelength == wavelength) return path.found;
-    path = {prepared, x, y, wavelength, std::nullopt};
+    if (path.given_up) *path.given_up = true;
+    path = {prepared, x, y, wavelength, std::nullopt, given_up};
   }
-  p.witness[at].post([&p, prepared, x, y, wavelength, at] {
+  p.witness[at].post([&p, prepared, x, y, wavelength, at, given_up] {
     PixelPath found;
     try {
       found = in_words(*prepared, record_paths(prepared->scene, prepared->geometry, prepared->features, prepared->width, prepared->height,
-                                               x, y, wavelength));
+                                               x, y, wavelength, given_up.get()));
+    } catch (const RecordStopped&) {
+      return;
     } catch (const std::exception& error) {
       found.ends = error.what();
     }
     {
       const std::lock_guard<std::mutex> held(p.path_lock);
       Parts::Path& path = p.path[at];
-      if (path.prepared == prepared && path.x == x && path.y == y) path.found = found;
+      if (path.given_up == given_up) path.found = found;
     }
     p.wake();
   });

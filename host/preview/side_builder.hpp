@@ -24,8 +24,8 @@ struct KernelChoice {
 
 class SideBuilder {
  public:
-  // `done` is called from the building thread, after each build.
-  explicit SideBuilder(std::function<void()> done) : done_(std::move(done)) {}
+  // From the building thread, after each build: `done`, then, when idle() may be true again, `after`.
+  SideBuilder(std::function<void()> done, std::function<void()> after) : done_(std::move(done)), jobs_(false, std::move(after)) {}
   ~SideBuilder() { quit_ = true; }   // a build in a process of its own is given up
 
   // The specialised kernel if it is ready; else the generic one, and the specialised one is begun; else that is waited for

@@ -28,10 +28,10 @@ std::vector<std::int32_t> pixels_of(const Stage& stage, bool first, int width, i
 
 int first_step(int width, int height, double pixel_seconds) {
   constexpr double glance_seconds = 0.03;
-  constexpr int unknown = 16, coarsest = 32;
+  constexpr int unknown = 16;
   if (pixel_seconds <= 0) return unknown;
   int step = 1;
-  while (step < coarsest && pixel_seconds * width * height / (step * step) > glance_seconds) step *= 2;
+  while (step < coarsest_step && pixel_seconds * width * height / (step * step) > glance_seconds) step *= 2;
   return step;
 }
 

@@ -18,6 +18,8 @@ std::vector<Stage> stages(int first_step, int most_samples, bool adaptive);
 // The pixels that a stage traces, row by row: those of its grid that are in no coarser one (first: all of its grid).
 std::vector<std::int32_t> pixels_of(const Stage& stage, bool first, int width, int height);
 
+inline constexpr int coarsest_step = 32;
+
 // The coarsest grid whose picture takes about as long as the eye takes for one; 16 when nothing is known (0).
 int first_step(int width, int height, double pixel_seconds);
 

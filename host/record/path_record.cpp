@@ -13,6 +13,7 @@ namespace nicol {
 namespace {
 
 struct PathLog {
+  const std::atomic<bool>* stop = nullptr;
   double full_weight = 1;
   std::vector<MetCell> cells;
   std::set<int> polarizers, lights;
@@ -22,6 +23,7 @@ struct PathLog {
 
   void starts(double weight) { full_weight = weight; }
   void goes_through(int cell, bool carries_pair, double weight) {
+    if (stop && *stop) throw RecordStopped();
     if (!(weight > 0)) return;
     MetCell& met = cell_record(cell);
     met.weight = std::max(met.weight, weight);
@@ -57,7 +59,7 @@ struct PathLog {
   }
 };
 
-thread_local PathLog* log_of_thread = nullptr;  // null: nothing is taken down
+thread_local PathLog* log_of_thread = nullptr;
 struct TakingDown {
   explicit TakingDown(PathLog* log) { log_of_thread = log; }
   ~TakingDown() { log_of_thread = nullptr; }
@@ -72,7 +74,7 @@ namespace traced {
 namespace {
 #define LANES 1
 #define REAL_DOUBLE
-#define WITNESS(call) (log_of_thread ? log_of_thread->call : void())
+#define WITNESS(call) log_of_thread->call
 #include "kernels/render.h"
 }  // namespace
 }  // namespace traced
@@ -80,11 +82,11 @@ namespace {
 namespace {
 
 // Stokes vector that channel `channel` of the packed scene brings to a pixel.
-std::array<double, 4> trace_pixel(const PackedScene& packed, int pixel, int channel, PathLog* log) {
+std::array<double, 4> trace_pixel(const PackedScene& packed, int pixel, int channel, PathLog& log) {
   const double centre[2] = {0.5, 0.5};
   double out[traced::OUT_COMPONENTS];
   traced::event_count counters[traced::COUNTERS] = {};
-  const TakingDown taking_down(log);
+  const TakingDown taking_down(&log);
   traced::render_item(packed.ints.data(), packed.reals.data(), packed.tables.data(), centre, &pixel, out, counters, 1, channel,
                       0, 1);
   return {out[traced::OUT_STOKES], out[traced::OUT_STOKES + 1], out[traced::OUT_STOKES + 2], out[traced::OUT_STOKES + 3]};
@@ -139,16 +141,17 @@ PathRecord record_of(const Scene& scene, const Geometry& geometry, const PathLog
 }  // namespace
 
 PathRecord record_paths(const Scene& scene, const Geometry& geometry, std::uint32_t features, int width, int height, int x,
-                        int y, std::size_t wavelength) {
+                        int y, std::size_t wavelength, const std::atomic<bool>* stop) {
   if (x < 0 || y < 0 || x >= width || y >= height) throw std::out_of_range("no such pixel in the picture");
   if (wavelength >= scene.lambda_nm.size()) throw std::out_of_range("no such wavelength in the scene");
   const PackedScene packed = pack(scene, geometry, features, width, height, 1);
   const int pixel = y * width + x;
   const bool shared = !packed.mixing.empty();  // the channels are shapes of spectra: light goes the same way in all of them
-  PathLog log;
-  std::array<double, 4> stokes = trace_pixel(packed, pixel, shared ? 0 : static_cast<int>(wavelength), &log);
+  PathLog log, unread;
+  log.stop = unread.stop = stop;
+  std::array<double, 4> stokes = trace_pixel(packed, pixel, shared ? 0 : static_cast<int>(wavelength), log);
   for (int channel = 0; shared && channel < packed.channels; ++channel) {
-    const std::array<double, 4> part = channel == 0 ? stokes : trace_pixel(packed, pixel, channel, nullptr);
+    const std::array<double, 4> part = channel == 0 ? stokes : trace_pixel(packed, pixel, channel, unread);
     const double share = packed.mixing[channel * scene.lambda_nm.size() + wavelength];
     for (int i = 0; i < 4; ++i) stokes[i] = share * part[i] + (channel == 0 ? 0 : stokes[i]);
   }

@@ -2,8 +2,10 @@
 // Test: tests/record.
 #pragma once
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -43,8 +45,11 @@ struct PathRecord {
 // Of the ray through the middle of pixel (x, y) of a picture of width x height, counted from its upper left corner, at one
 // of the scene's wavelengths (index into Scene::lambda_nm). `features` as the scene is rendered with. It costs what the
 // pixel costs in a picture; threads may record at once. Throws std::out_of_range for a pixel or wavelength that there is
-// not.
+// not, RecordStopped soon after `stop` is set.
+struct RecordStopped : std::runtime_error {
+  RecordStopped() : std::runtime_error("stopped") {}
+};
 PathRecord record_paths(const Scene& scene, const Geometry& geometry, std::uint32_t features, int width, int height, int x,
-                        int y, std::size_t wavelength);
+                        int y, std::size_t wavelength, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace nicol
