@@ -120,8 +120,12 @@ preview::Point Script::Parts::place(const Words& words, std::size_t& i) {
 void Script::Parts::wait(const Words& words) {
   const std::string& what = word_at(words, 1);
   const auto shown = [&] {
-    for (int pane = 0; pane < 2; ++pane)
-      if (session.status(pane).step == 0 && session.status(pane).failure.empty()) return false;
+    for (int pane = 0; pane < 2; ++pane) {
+      const preview::PaneStatus& s = session.status(pane);
+      if (s.step == 0 && s.stale && !s.reading)
+        throw ScriptError("there is no picture: " + (s.messages.empty() ? s.title : s.messages.front().text));
+      if (s.step == 0 && s.failure.empty()) return false;
+    }
     return true;
   };
   const auto failed = [&] { return session.status(0).stale || session.status(1).stale || !session.status(0).failure.empty(); };
