@@ -18,7 +18,6 @@ from preview_program import PATIENCE_S, Preview, change, copy_scene
 
 NICOL = sys.argv.pop(1) if __name__ == "__main__" else ""
 SIZE = ["-W", "160", "-H", "120"]
-WINDOW = 900, 600                 # the smallest one that nicol opens
 BEHIND, DIVIDER, BOX = 38, 28, 26  # greys of the window: beside the pictures, the divider, the box of errors
 # Parts of a picture, with gaps between them in which the mouse may mark a pixel.
 GRID = [(column / 4 + 0.03, row / 3 + 0.03, column / 4 + 0.22, row / 3 + 0.3)
@@ -46,7 +45,7 @@ class Window(unittest.TestCase):
         # Where things lie: the same window without a display tells it.
         with Preview(NICOL, self.scene.name, *SIZE, *arguments, cwd=self.folder) as without_display:
             self.places = without_display.state()
-            self.assertEqual(self.places["window"], list(WINDOW))
+        self.bottom = round(self.places["divider"]["height"])   # of the panes
         self.errors = open(self.folder / "errors.txt", "w+b")
         self.addCleanup(self.errors.close)
         self.program = subprocess.Popen([NICOL, "preview", self.scene.name, *SIZE, *arguments], cwd=self.folder,
@@ -125,7 +124,7 @@ class Window(unittest.TestCase):
         self.open_window()
         self.wait_for_picture(self.render(), "the picture")
         pane = self.places["pictures"][0]
-        bottom = 10, 420, pane["width"] - 10, 570   # of the left pane, below its picture
+        bottom = 10, self.bottom - 150, pane["width"] - 10, self.bottom - 6   # of the left pane, below its picture
 
         def box():
             """Background and brightest text in the lowest part of the pane."""
@@ -174,7 +173,7 @@ class Window(unittest.TestCase):
 
     def dividers(self):
         """Where the divider lies: first and last column of its grey above the pictures, the title's row left out."""
-        row = self.display.screen().values(0, 70, WINDOW[0], 71)
+        row = self.display.screen().values(0, 70, self.places["window"][0], 71)
         columns = [x for x, grey in enumerate(zip(*row)) if grey == (DIVIDER,) * 3]
         return (columns[0], columns[-1]) if columns else None
 
@@ -196,9 +195,9 @@ class Window(unittest.TestCase):
 
         self.display.key("r")
         self.display.drag((round(left) + 4, 70), (round(low) + 4, 70))
-        self.display.hand("windowsize", window, 1200, 700)
+        self.display.hand("windowsize", window, 1200, 760)
         with Preview(NICOL, self.scene.name, *SIZE, cwd=self.folder) as larger:
-            larger.do("size 1200 700")
+            larger.do("size 1200 760")
             places = larger.state()
         self.wait_for_picture(first, "the picture of the larger window", places["pictures"][0])
         screen = self.display.screen()
@@ -207,7 +206,7 @@ class Window(unittest.TestCase):
         self.display.hand("windowsize", window, 300, 200)
         beside = 400, 100, 500, 200
         self.until(lambda: max(self.display.screen().mean(*beside)) == 0, lambda: "the window does not shrink")
-        self.display.hand("windowsize", window, *WINDOW)
+        self.display.hand("windowsize", window, *map(round, self.places["window"]))
         self.wait_for_picture(first, "the picture of the window as it was")
         self.display.ask_to_close(window)
         self.assert_quits()
@@ -233,7 +232,7 @@ class Window(unittest.TestCase):
     def test_a_scene_that_is_not_there_yet(self):
         self.open_window("missing.pov")
         place = self.places["pictures"][1]
-        bottom = place["x"] + 10, 560, place["x"] + 280, 575
+        bottom = place["x"] + 10, self.bottom - 16, place["x"] + 280, self.bottom - 1
         self.until(lambda: abs(self.display.screen().mean(*bottom)[0] - BOX) < 12, lambda: "no error is shown")
         (self.folder / "missing.pov").write_text(self.scene.read_text())
         self.wait_for_picture(self.render(), "the picture of the file that came", place)
