@@ -209,9 +209,9 @@ void Pane::begin() {
 void Pane::resize_picture() {
   const std::lock_guard<std::mutex> held(picture_lock_);
   const Scene& scene = prepared_->scene;
-  if (fits(picture_, *prepared_)) {
-    forget(picture_);
-  } else {
+  const bool same_size = fits(picture_, *prepared_);
+  sink_.begin_anew(same_size);
+  if (!same_size) {
     const std::uint64_t version = picture_.version;
     picture_ = make_picture(prepared_->width, prepared_->height, scene.lambda_nm, scene.weight_nm);
     picture_.version = version + 1;
@@ -261,9 +261,9 @@ std::shared_ptr<Device> Pane::device() const {
   const std::lock_guard<std::mutex> held(lock_);
   return device_;
 }
-std::uint64_t Pane::picture_version() const {
-  const std::lock_guard<std::mutex> held(picture_lock_);
-  return picture_.version;
+std::optional<std::uint64_t> Pane::picture_version_now() const {
+  const std::unique_lock<std::mutex> held(picture_lock_, std::try_to_lock);
+  return held ? std::optional(picture_.version) : std::nullopt;
 }
 
 }  // namespace nicol::preview

@@ -47,7 +47,7 @@ class Pane {
   }
   std::mutex& picture_lock() const { return picture_lock_; }
   const Picture& picture() const { return picture_; }   // with picture_lock held
-  std::uint64_t picture_version() const;
+  std::optional<std::uint64_t> picture_version_now() const;   // none: it is being changed
 
  private:
   using Clock = std::chrono::steady_clock;

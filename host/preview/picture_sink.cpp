@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "host/optics/colour.hpp"
 
@@ -83,6 +84,7 @@ void PictureSink::fill_blocks() {
 
 void PictureSink::write(const Frame& frame) {
   const std::lock_guard<std::mutex> held(lock_);
+  if (std::exchange(anew_, false)) forget(picture_);
   mix_in(frame);
   if (step_ > 1) fill_blocks();
   ++picture_.version;

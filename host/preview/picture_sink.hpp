@@ -13,6 +13,9 @@ class PictureSink final : public FrameSink {
   // `lock` is held while the picture changes.
   PictureSink(Picture& picture, std::mutex& lock) : picture_(picture), lock_(lock) {}
 
+  // The next frame is the first of another picture of the same size; until it comes the one before stays whole.
+  void begin_anew(bool anew) { anew_ = anew; }
+
   // The next frame is a row of these pixels of the picture, each the mean of `samples` samples; each shows for a block of step x step.
   void expect(const std::int32_t* pixels, std::size_t count, int samples, int step);
   void write(const Frame& frame) override;
@@ -33,6 +36,7 @@ class PictureSink final : public FrameSink {
   const std::int32_t* pixels_ = nullptr;
   std::size_t count_ = 0;
   int samples_ = 1, step_ = 1;
+  bool anew_ = false;
   double change2_ = 0;
 };
 

@@ -134,70 +134,10 @@ View Session::shown_view(int pane) const {
   return view;
 }
 
-const Developed& Session::developed(int pane) const {
-  Parts& p = *parts_;
-  const auto panes = p.panes();
-  Parts::Shown& shown = p.shown[static_cast<std::size_t>(pane)];
-  const auto& pane_shown = panes[std::min(static_cast<std::size_t>(pane), panes.size() - 1)];
-  const Pane& own = *pane_shown;
-  const bool difference = pane == 1 && controls.show_difference && compares();
-  const View view = shown_view(difference ? 0 : pane);
-  const std::uint64_t version = own.picture_version(), other = difference ? panes[0]->picture_version() : 0;
-  const bool same_view = shown.view.quantity == view.quantity && shown.view.wavelength == view.wavelength;
-  const bool same = shown.difference == difference && same_view;
-  if (shown.done && shown.of.lock() == pane_shown && shown.picture == version && shown.other == other && same) return shown.developed;
-  // Differences take a while: not at each step of a picture that still gets finer.
-  const auto now = std::chrono::steady_clock::now();
-  constexpr std::chrono::milliseconds pause{300};
-  if (shown.done && same && difference && now - shown.at < pause && !pictures_done()) return shown.developed;
-  // Of a picture just begun anew the earlier one stays.
-  if (shown.done && same && !difference && own.with_picture([](const Picture& picture) { return picture.step == 0; })) return shown.developed;
-  shown.at = now;
-  if (difference) {
-    const std::scoped_lock both(panes[0]->picture_lock(), panes[1]->picture_lock());
-    p.difference = preview::difference(panes[0]->picture(), panes[1]->picture(), view);
-    shown.developed = p.difference.developed;
-  } else {
-    shown.developed = own.with_picture([&](const Picture& picture) { return develop(picture, view); });
-  }
-  shown.of = pane_shown;
-  shown.view = view;
-  shown.picture = version;
-  shown.other = other;
-  shown.difference = difference;
-  shown.done = true;
-  ++shown.version;
-  return shown.developed;
-}
-
-std::uint64_t Session::developed_version(int pane) const {
-  developed(pane);
-  return parts_->shown[static_cast<std::size_t>(pane)].version;
-}
-
-const Difference* Session::difference() const {
-  if (!controls.show_difference || !compares()) return nullptr;
-  developed(1);
-  return &parts_->difference;
-}
-
-std::vector<Ellipse> Session::ellipses(int pane, int spacing) const {
-  const auto panes = parts_->panes();
-  const View view = shown_view(pane);
-  return panes[std::min(static_cast<std::size_t>(pane), panes.size() - 1)]->with_picture(
-      [&](const Picture& picture) { return preview::ellipses(picture, view, spacing); });
-}
-
-std::optional<PixelInfo> Session::pixel(int pane, int x, int y) const {
-  const auto panes = parts_->panes();
-  const View view = shown_view(pane);
-  return panes[std::min(static_cast<std::size_t>(pane), panes.size() - 1)]->with_picture(
-      [&](const Picture& picture) { return pixel_info(picture, view, x, y); });
-}
-
 bool Session::pictures_done() const {
   const auto panes = parts_->panes();
-  return std::all_of(panes.begin(), panes.end(), [](const auto& pane) { return pane->urgency() == Pane::nothing && pane->status().done; });
+  const auto done = [](const auto& pane) { return pane->urgency() == Pane::nothing && pane->status().done; };
+  return std::all_of(panes.begin(), panes.end(), done) && shows_latest();
 }
 
 bool Session::at_rest() const { return parts_->resting && pictures_done(); }

@@ -106,10 +106,12 @@ class Session {
   bool compares() const;                                // two renders that are meant to look alike: what they differ by can be shown
   const PaneStatus& status(int pane) const;             // pane 1 is pane 0's where there is one render
   View shown_view(int pane) const;                      // with the scrubbed wavelength
-  // What a pane shows now, and a number that changes with it. The right one: the difference, if that is to be shown.
+  // What a pane shows now, and a number that changes with it. The right one: the difference, if that is to be shown. It is made on another
+  // thread: what takes longer than a few milliseconds comes later, and `wake` is called.
   const Developed& developed(int pane) const;
   std::uint64_t developed_version(int pane) const;
-  const Difference* difference() const;                 // null: not shown, or there is one render only
+  const Difference* difference() const;                 // null: not shown (yet), or there is one render only
+  void finish_showing() const;                          // for scripts: waits until developed() and difference() are those of now
   std::vector<Ellipse> ellipses(int pane, int spacing) const;
 
   // Of pixel (x, y) of the picture in that pane, by the controls' view.
@@ -134,6 +136,7 @@ class Session {
 
  private:
   struct Parts;
+  bool shows_latest() const;
   std::unique_ptr<Parts> parts_;
 };
 

@@ -33,13 +33,39 @@ struct Session::Parts {
   bool wants_right(const Controls& controls) const;
   void tell(std::string text);
 
-  struct Shown {
-    std::weak_ptr<const Pane> of;
-    Developed developed;
+  // What a pane is to show: a picture, or the difference of two.
+  struct ToShow {
+    std::shared_ptr<const Pane> of, other;      // other: null but for a difference
     View view;
-    std::uint64_t picture = 0, other = 0, version = 0;
-    bool difference = false, done = false;
+    bool same_kind(const ToShow& o) const;      // but for the pictures' versions
+  };
+  struct Shown {
+    ToShow what;
+    std::uint64_t picture = 0, other = 0;       // their versions
+    Developed developed;
+    Difference difference;
     std::chrono::steady_clock::time_point at;
+  };
+  struct Showing {
+    Shown now;                                  // of the window's thread
+    std::uint64_t version = 0;
+    std::optional<Shown> next;                  // with show_lock
+    bool in_work = false;                       // with show_lock
+  };
+  bool show(std::size_t pane, const ToShow& what);   // true: what is shown is the latest; else that is begun
+  void take_next(Showing& own);
+  void make_shown(std::size_t pane, const ToShow& what);
+
+  struct Ellipses {
+    std::weak_ptr<const Pane> of;
+    std::uint64_t picture = 0;
+    View view;
+    int spacing = 0;
+    std::vector<Ellipse> found;
+  };
+  struct Pixel {
+    std::weak_ptr<const Pane> of;
+    std::optional<PixelInfo> info;
   };
   struct Path {
     std::shared_ptr<const Prepared> prepared;
@@ -63,8 +89,11 @@ struct Session::Parts {
   std::uint64_t pieces_seen = 0;
   std::array<std::optional<Look>, 2> asked;
   std::array<PaneStatus, 2> status;
-  std::array<Shown, 2> shown;
-  Difference difference;
+  std::mutex show_lock;
+  std::condition_variable shown_news;
+  std::array<Showing, 2> showing;
+  std::array<Ellipses, 2> ellipses;
+  std::array<Pixel, 2> pixels;
   bool first_scene_taken = false;
   std::vector<std::string> watched;
   bool watched_any_new = false;
@@ -77,6 +106,7 @@ struct Session::Parts {
   // threads, ended in the opposite order
   SideBuilder builder;
   std::array<LatestJob, 2> witness;             // of the left and the right pane
+  std::array<LatestJob, 2> shower;
   LatestJob saver{true};
   FileWatch watch;
   std::thread worker;

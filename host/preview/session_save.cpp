@@ -61,6 +61,7 @@ std::string save(const std::string& path, Make frame) {
 }  // namespace
 
 void Session::save_picture(int pane) {
+  finish_showing();
   const Developed& shown = developed(pane);
   const bool differs = pane == 1 && difference();
   if (shown.rgb.empty()) return tell("there is no picture yet");

@@ -60,6 +60,7 @@ double seconds_since_start() {
 }
 
 std::string state_text(const preview::Session& session, const Surface& surface, const Screen& screen, double first_picture_seconds) {
+  session.finish_showing();
   const preview::Layout& layout = screen.layout();
   json widgets = json::object();
   for (const auto& [name, rect] : screen.widgets()) widgets[name] = as_json(rect);

@@ -215,6 +215,7 @@ Screenshot Screen::screenshot() {
   Parts& p = *parts_;
   p.surface.make_current();
   if (p.frames == 0) turn();
+  p.session.finish_showing();
   return p.canvas.screenshot(p.ui());
 }
 
