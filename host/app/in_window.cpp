@@ -1,8 +1,8 @@
 // `nicol preview`: the session in a window, or in none by its script.
 #include <algorithm>
-#include <atomic>
 #include <fstream>
 #include <iostream>
+#include <mutex>
 
 #include "host/app/preview_command.hpp"
 #include "host/window/script.hpp"
@@ -13,6 +13,23 @@ namespace {
 
 struct WindowSize {
   int width, height;
+};
+
+// Tells the surface that is open, if one is, that there is something new.
+class Waker {
+ public:
+  void set(window::Surface* surface) {
+    const std::lock_guard<std::mutex> held(lock_);
+    surface_ = surface;
+  }
+  void wake() {
+    const std::lock_guard<std::mutex> held(lock_);
+    if (surface_) surface_->wake();
+  }
+
+ private:
+  std::mutex lock_;
+  window::Surface* surface_ = nullptr;
 };
 
 // Both pictures at their full size beside the panel, within what most screens hold.
@@ -42,12 +59,9 @@ int preview_command(const PreviewCommand& command) {
   if (!command.script.empty() && command.script != "-" && !std::ifstream(command.script))
     throw UsageError("cannot read the script " + command.script);
   // Work begins while the window is being opened.
-  std::atomic<window::Surface*> surface{nullptr};
-  const auto wake = [&surface] {
-    if (window::Surface* open = surface) open->wake();
-  };
+  Waker waker;
   std::unique_ptr<window::Surface> opened;
-  preview::Session session(preview_session(command), wake);
+  preview::Session session(preview_session(command), [&waker] { waker.wake(); });
   const WindowSize size = window_size(command);
   window::OffscreenSurface* offscreen = nullptr;
   if (command.script.empty() || command.show) {
@@ -57,12 +71,14 @@ int preview_command(const PreviewCommand& command) {
     offscreen = made.get();
     opened = std::move(made);
   }
-  surface = opened.get();
+  waker.set(opened.get());
   window::ScreenOptions options;
   options.pictures_fit_window = !command.size_given;
   if (command.script.empty()) window::run(session, *opened, options);
   else run_script(command, session, *opened, offscreen, options);
-  surface = nullptr;
+  // The window goes at once; a kernel in building is waited for.
+  waker.set(nullptr);
+  opened.reset();
   return exit_done;
 }
 

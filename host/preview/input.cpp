@@ -74,10 +74,11 @@ void Mouse::release(const Layout& layout, Button button) {
 void Mouse::scroll(const Layout& layout, double steps) {
   const Rect* picture = picture_at(layout, controls_, at_);
   if (!picture) return;
-  const double zoom = steps / wheel_steps_per_doubling, grown = std::exp2(zoom);
   const double right = (at_.x - picture->x) / picture->width - 0.5, up = 0.5 - (at_.y - picture->y) / picture->height;
   Navigation& navigation = controls_.navigation;
-  navigation.zoom += zoom;
+  const double before = navigation.zoom;
+  navigation.zoom = std::clamp(before + steps / wheel_steps_per_doubling, least_zoom, most_zoom);
+  const double grown = std::exp2(navigation.zoom - before);
   navigation.pan_right = right - (right - navigation.pan_right) * grown;
   navigation.pan_up = up - (up - navigation.pan_up) * grown;
 }

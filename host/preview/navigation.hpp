@@ -19,6 +19,9 @@ struct Navigation {
   bool operator!=(const Navigation& o) const { return !(*this == o); }
 };
 
+// What hands may ask for: beyond, float has no digits left for the camera's place.
+inline constexpr double least_zoom = -20, most_zoom = 40;
+
 // The point on the camera's axis beside the middle of the solids (of the sheets, if there are none); ahead of the camera
 // always.
 Vec3 pivot_of(const Scene& scene, const Geometry& geometry);

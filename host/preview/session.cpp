@@ -93,6 +93,7 @@ void Session::Parts::take_first_scene(Controls& controls) {
 
 bool Session::update() {
   Parts& p = *parts_;
+  controls.navigation.zoom = std::clamp(controls.navigation.zoom, least_zoom, most_zoom);
   p.take_first_scene(controls);
   p.sync_panes(controls);
   const auto panes = p.panes();
