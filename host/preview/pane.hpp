@@ -73,6 +73,7 @@ class Pane {
     change(status_);
   }
   bool first_stage() const { return stage_ == 0; }
+  RenderOptions next_chunk(const Stage& stage) const;
   bool first_is_in_work() const { return tracing_ && first_stage() && !waits_for_kernel_; }
   bool choice_is_due() const { return choice_wanted_ && !waits_for_kernel_ && (!tracing_ || status_.step == 1); }   // with lock_ held
   bool is_given_up(Clock::time_point begun, int step) const;

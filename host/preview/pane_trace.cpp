@@ -35,17 +35,27 @@ bool Pane::is_given_up(Clock::time_point begun, int step) const {
   return quit_ || stopped_ || (wanted_ && step < coarsest_step && Clock::now() - begun > patience);
 }
 
-void Pane::trace() {
-  const Stage stage = stages_[static_cast<std::size_t>(stage_)];
-  const int samples = stage.sample_end - stage.sample_begin;
+// The stage's next pixels: the first stage at once, else what fits a chunk.
+RenderOptions Pane::next_chunk(const Stage& stage) const {
   std::size_t count = pixels_.size() - at_;
   if (!first_stage() && pixel_seconds_ > 0) {
-    const double fits = std::min(chunk_seconds / (pixel_seconds_ * samples), 1e9);
+    const double fits = std::min(chunk_seconds / (pixel_seconds_ * (stage.sample_end - stage.sample_begin)), 1e9);
     count = std::min(count, std::max(smallest_chunk, static_cast<std::size_t>(fits)));
   }
   RenderOptions options;
   options.kernel = kernel_;
   options.tile_seconds = tile_seconds;
+  const auto positions = pixel_samples(stage.sample_end);
+  options.positions.assign(positions.begin() + stage.sample_begin, positions.end());
+  options.pixels.assign(pixels_.begin() + static_cast<std::ptrdiff_t>(at_), pixels_.begin() + static_cast<std::ptrdiff_t>(at_ + count));
+  return options;
+}
+
+void Pane::trace() {
+  const Stage stage = stages_[static_cast<std::size_t>(stage_)];
+  const int samples = stage.sample_end - stage.sample_begin;
+  RenderOptions options = next_chunk(stage);
+  const std::size_t count = options.pixels.size();
   std::atomic<bool> given_up{false};
   double traced = 0;   // part of it
   const auto begun = Clock::now();
@@ -55,14 +65,12 @@ void Pane::trace() {
       given_up = is_given_up(begun, stage.step);
     };
   options.cancel = first_stage() ? &given_up : &cancel_;
-  const auto positions = pixel_samples(stage.sample_end);
-  options.positions.assign(positions.begin() + stage.sample_begin, positions.end());
-  options.pixels.assign(pixels_.begin() + static_cast<std::ptrdiff_t>(at_), pixels_.begin() + static_cast<std::ptrdiff_t>(at_ + count));
   RenderReport report;
   const Scene& scene = prepared_->scene;
   const Frame part = render(*device_, prepared_->packed, scene.lambda_nm, scene.weight_nm, options, report);
   if (report.interrupted) {
-    if (first_stage() && traced > 0) pixel_seconds_ = std::chrono::duration<double>(Clock::now() - begun).count() / (traced * static_cast<double>(count));
+    const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+    if (first_stage() && traced > 0) pixel_seconds_ = seconds / (traced * static_cast<double>(count));
     tracing_ = tracing_ && !first_stage();
     return;
   }
