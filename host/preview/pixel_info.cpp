@@ -16,11 +16,11 @@ int block_of(const Picture& picture, std::int64_t corner, int x, int y) {
   return block;
 }
 
-void weigh_spectrum(const Frame& frame, PixelInfo& info) {
+void weigh_spectrum(const Frame& frame, double exposure, PixelInfo& info) {
   for (std::size_t i = 0; i < frame.lambda_nm.size(); ++i) {
     const auto observer = colour_matching(frame.lambda_nm[i]);
     for (std::size_t k = 0; k < 3; ++k)
-      info.xyz[k] += observer[k] * frame.weight_nm[i] * frame.exposure * info.stokes[0][i];
+      info.xyz[k] += observer[k] * frame.weight_nm[i] * frame.exposure * exposure * info.stokes[0][i];
     for (std::size_t s = 0; s < 4; ++s) info.stokes_y[s] += observer[1] * frame.weight_nm[i] * info.stokes[s][i];
   }
   info.rgb = linear_srgb(info.xyz);
@@ -29,7 +29,7 @@ void weigh_spectrum(const Frame& frame, PixelInfo& info) {
 
 }  // namespace
 
-std::optional<PixelInfo> pixel_info(const Picture& picture, const View& view, int x, int y) {
+std::optional<PixelInfo> pixel_info(const Picture& picture, const View& view, int x, int y, double exposure) {
   const Frame& frame = picture.frame;
   if (x < 0 || y < 0 || x >= frame.width || y >= frame.height) return std::nullopt;
   const std::int64_t corner = shown_pixel(picture, x, y);
@@ -44,7 +44,7 @@ std::optional<PixelInfo> pixel_info(const Picture& picture, const View& view, in
   for (int s = 0; s < 4; ++s)
     for (std::size_t i = 0; i < frame.lambda_nm.size(); ++i)
       info.stokes[static_cast<std::size_t>(s)].push_back(static_cast<double>(frame.component(s, i)[p]));
-  weigh_spectrum(frame, info);
+  weigh_spectrum(frame, exposure, info);
 
   std::array<double, 4> shown = info.stokes_y;
   if (view.wavelength && *view.wavelength < frame.lambda_nm.size())

@@ -14,7 +14,7 @@ struct PixelInfo {
   int block = 1;                             // > 1: it shows that of a block of so many pixels
   std::vector<double> lambda_nm;
   std::array<std::vector<double>, 4> stokes; // S0..S3 per nm at each wavelength
-  std::array<double, 3> xyz{}, rgb{};        // times the frame's exposure; linear sRGB
+  std::array<double, 3> xyz{}, rgb{};        // times the exposure; linear sRGB
   std::array<int, 3> srgb{};                 // 0..255
   std::array<double, 4> stokes_y{};          // weighted by ybar
   Ellipse ellipse;                           // of stokes_y, or of the view's wavelength
@@ -23,7 +23,7 @@ struct PixelInfo {
   double cut_off_radiance = 0;               // bound on what they could have brought, per nm, at the brightest wavelength
 };
 
-// None outside of the picture, or while nothing is traced there.
-std::optional<PixelInfo> pixel_info(const Picture& picture, const View& view, int x, int y);
+// None outside of the picture, or while nothing is traced there. exposure: a factor beside the frame's own, on the colours.
+std::optional<PixelInfo> pixel_info(const Picture& picture, const View& view, int x, int y, double exposure = 1);
 
 }  // namespace nicol::preview

@@ -1,6 +1,7 @@
 // What the panes show of their pictures. Pictures are developed on threads of their own: large ones, and differences, take longer than
 // an answer to the mouse may.
 #include <algorithm>
+#include <cmath>
 
 #include "host/preview/session_parts.hpp"
 
@@ -133,7 +134,7 @@ std::optional<PixelInfo> Session::pixel(int pane, int x, int y) const {
   const auto& of = panes[std::min(static_cast<std::size_t>(pane), panes.size() - 1)];
   Parts::Pixel& kept = parts_->pixels[static_cast<std::size_t>(pane)];
   const auto held = hold_soon(of->picture_lock());
-  if (held) kept = {of, pixel_info(of->picture(), shown_view(pane), x, y)};
+  if (held) kept = {of, pixel_info(of->picture(), shown_view(pane), x, y, std::exp2(controls.exposure_stops))};
   const bool same = kept.of.lock() == of && kept.info && kept.info->x == x && kept.info->y == y;
   return same ? kept.info : std::nullopt;
 }

@@ -30,6 +30,19 @@ Picture varied() {
 
 }  // namespace
 
+TEST_CASE("pixel: the window's exposure counts for its colours, not for its light") {
+  const Picture picture = varied();
+  const auto plain = pixel_info(picture, {}, 2, 3), brighter = pixel_info(picture, {}, 2, 3, 2);
+  REQUIRE(plain);
+  REQUIRE(brighter);
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(brighter->xyz[k] == doctest::Approx(2 * plain->xyz[k]));
+    CHECK(brighter->rgb[k] == doctest::Approx(2 * plain->rgb[k]));
+  }
+  CHECK(brighter->stokes == plain->stokes);
+  CHECK(brighter->stokes_y == plain->stokes_y);
+}
+
 TEST_CASE("pixel: its colour is the one that is written to files") {
   const Picture picture = varied();
   const auto rgb = linear_rgb(picture.frame);
