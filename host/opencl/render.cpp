@@ -124,7 +124,8 @@ std::string render_identity(const Device& device, const PackedScene& scene, cons
   return fmt::format("{} {} x {}, {} channels, features {:#x}{}, {} samples, error {:.17g} by {}; {} {} lanes of {}; kernels {}; {}",
                      hash_text(data), scene.width, scene.height, scene.channels, scene.features,
                      options.kernel.generic ? " generic" : "", options.samples, options.sample_error, options.most_samples,
-                     fmt::format("{} {} {}", about.name, about.version, about.driver), lanes_on(device, options.kernel), options.kernel.real_double ? "double" : "float",
+                     fmt::format("{} {} {}", about.name, about.version, about.driver), lanes_on(device, options.kernel),
+                     options.kernel.real_double ? "double" : "float",
                      hash_text(expand_includes("trace.cl")), OUT_COMPONENTS);
 }
 

@@ -99,7 +99,8 @@ class Session {
 
   Controls controls;
 
-  // To be called once a turn, after the controls may have changed: hands new looks to the work, takes up what it has done. True if what is shown changed.
+  // To be called once a turn, after the controls may have changed: hands new looks to the work, takes up what it has done. True if
+  // what is shown changed.
   bool update();
 
   bool two_renders() const;                             // the right pane is a render of its own

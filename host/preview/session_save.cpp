@@ -39,7 +39,8 @@ Frame whole_frame(const Picture& picture) {
 std::vector<std::pair<std::string, std::string>> notes(const PaneStatus& status) {
   std::string without;
   for (const std::string& name : status.without) without += (without.empty() ? "" : " ") + name;
-  const std::string sampling = status.step > 1 ? "blocks of " + std::to_string(status.step) + " pixels" : std::to_string(status.samples) + " samples a pixel";
+  const std::string sampling = status.step > 1 ? "blocks of " + std::to_string(status.step) + " pixels"
+                                               : std::to_string(status.samples) + " samples a pixel";
   return {{"scene", status.title}, {"made", "nicol preview"}, {"device", status.device + ", " + status.real}, {"sampling", sampling},
           {"without", without.empty() ? "nothing left out" : without}};
 }
