@@ -85,4 +85,12 @@ Channels choose_channels(const Scene& scene) {
   return out;
 }
 
+double brightest_radiance(const Scene& scene) {
+  double most = 0;
+  for (const double v : scene.sky) most = std::max(most, v);
+  for (const Emission& emission : scene.emissions)
+    for (const double v : emission.radiance) most = std::max(most, v);
+  return most;
+}
+
 }  // namespace nicol

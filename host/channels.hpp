@@ -18,4 +18,7 @@ struct Channels {
 
 Channels choose_channels(const Scene& scene);
 
+// Of the lights and the sky, per nm, over all wavelengths.
+double brightest_radiance(const Scene& scene);
+
 }  // namespace nicol

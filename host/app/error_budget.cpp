@@ -208,14 +208,6 @@ std::string size_text(const BudgetLine& line) { return std::isfinite(line.rms) ?
 
 }  // namespace
 
-double brightest_radiance(const Scene& scene) {
-  double most = 0;
-  for (const double v : scene.sky) most = std::max(most, v);
-  for (const Emission& emission : scene.emissions)
-    for (const double v : emission.radiance) most = std::max(most, v);
-  return most;
-}
-
 ErrorBudget error_budget(const LoadedScene& loaded, int width, int height, Device& device, const RenderOptions& options,
                          const Frame& frame, const RenderReport& report) {
   return Budget(loaded, width, height, device, options, frame, report).run();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/app/loaded_scene.hpp"
+#include "host/channels.hpp"
 #include "host/output/frame.hpp"
 
 namespace nicol::app {
@@ -29,9 +30,6 @@ struct ErrorBudget {
 // `options` as the picture was rendered with.
 ErrorBudget error_budget(const LoadedScene& loaded, int width, int height, Device& device, const RenderOptions& options,
                          const Frame& frame, const RenderReport& report);
-
-// The largest radiance per nm of any light or the sky at any wavelength.
-double brightest_radiance(const Scene& scene);
 
 std::string budget_text(const ErrorBudget& budget);
 // For the header: name and words of each line.

@@ -26,13 +26,6 @@ std::vector<Pair> common_wavelengths(const Frame& a, const Frame& b) {
   return pairs;
 }
 
-// What a radiance of 1 per nm at all wavelengths comes to: the scale of greys (view.hpp).
-double luminance_of_equal_energy(const Frame& frame) {
-  double sum = 0;
-  for (std::size_t i = 0; i < frame.lambda_nm.size(); ++i) sum += colour_matching(frame.lambda_nm[i])[1] * frame.weight_nm[i];
-  return sum;
-}
-
 // At a wavelength that the right picture has not: the colours.
 Developed developed_difference(const Picture& left, const Picture& right, const std::vector<Pair>& common, const View& view) {
   View colours{Quantity::colour, {}}, others = colours;
@@ -44,7 +37,7 @@ Developed developed_difference(const Picture& left, const Picture& right, const 
   Developed developed = develop(left, colours);
   Developed other = develop(right, others);
   if (colours.wavelength) {   // the greys of both on the left one's scale
-    const auto scale = static_cast<float>(luminance_of_equal_energy(left.frame) / luminance_of_equal_energy(right.frame));
+    const auto scale = static_cast<float>(grey_per_radiance(left.frame) / grey_per_radiance(right.frame));
     for (float& value : other.rgb) value *= scale;
   }
   std::transform(developed.rgb.begin(), developed.rgb.end(), other.rgb.begin(), developed.rgb.begin(),

@@ -4,20 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "host/channels.hpp"
+
 namespace nicol::preview {
 namespace {
 
 constexpr int every_pixel_once = 8;   // an urgency: after the stages of one sample a pixel
-
-double brightest_radiance(const Scene& scene) {
-  double most = 0;
-  const auto take = [&](const Samples& radiance) {
-    for (const double value : radiance) most = std::max(most, value);
-  };
-  for (const Emission& emission : scene.emissions) take(emission.radiance);
-  take(scene.sky);
-  return most;
-}
 
 bool fits(const Picture& picture, const Prepared& prepared) {
   return picture.frame.width == prepared.width && picture.frame.height == prepared.height &&
@@ -170,9 +162,7 @@ void Pane::begin() {
     scene = scene_;
     geometry = geometry_;
   }
-  KernelOptions wanted = source_.kernel;
-  wanted.real_double = wanted.real_double || real_double_;
-  auto prepared = prepare(*scene, *geometry, look, lanes_on(*device_, wanted));
+  auto prepared = prepare(*scene, *geometry, look, lanes_on(*device_, wanted_kernel()));
   {
     const std::lock_guard<std::mutex> held(lock_);
     const bool same_features = prepared_ && prepared_->features == prepared->features;
@@ -220,10 +210,14 @@ void Pane::resize_picture() {
   picture_.brightest_radiance = brightest_radiance(scene);
 }
 
-void Pane::choose_kernel() {
+KernelOptions Pane::wanted_kernel() const {
   KernelOptions wanted = source_.kernel;
   wanted.real_double = wanted.real_double || real_double_;
-  wanted.save_later = true;
+  return wanted;
+}
+
+void Pane::choose_kernel() {
+  const KernelOptions wanted = wanted_kernel();
   const KernelChoice choice = builder_.choose(device_, prepared_->features, wanted);
   kernel_ = choice.options;
   specialised_ = choice.specialised;
@@ -232,6 +226,8 @@ void Pane::choose_kernel() {
     s.real = wanted.real_double ? "double" : "float";
     s.specialised = choice.ready && choice.specialised;
     s.building = choice.building;
+    s.waits_for_kernel = !choice.ready;
+    s.kernel_failure = choice.failure;
   });
 }
 
@@ -244,10 +240,6 @@ PaneStatus Pane::status() const {
 std::vector<std::string> Pane::files() const {
   const std::lock_guard<std::mutex> held(lock_);
   return files_;
-}
-std::optional<Look> Pane::look() const {
-  const std::lock_guard<std::mutex> held(lock_);
-  return look_;
 }
 std::shared_ptr<const Prepared> Pane::prepared() const {
   const std::lock_guard<std::mutex> held(lock_);

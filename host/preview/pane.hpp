@@ -33,7 +33,6 @@ class Pane {
 
   PaneStatus status() const;
   std::vector<std::string> files() const;
-  std::optional<Look> look() const;       // that the picture belongs to
   std::shared_ptr<const Prepared> prepared() const;
   std::shared_ptr<const Scene> scene() const;   // as read
   std::shared_ptr<Device> device() const;
@@ -57,6 +56,7 @@ class Pane {
   void choose_settings();                 // that keep an error
   void begin();                           // prepares the scene as it is to be looked at
   void resize_picture();
+  KernelOptions wanted_kernel() const;
   void choose_kernel();
   void trace();                           // a chunk of the stage in work
   void trace_adaptively();

@@ -81,11 +81,8 @@ void Session::Parts::take_first_scene(Controls& controls) {
   if (!options.right && camera.polarizer) {
     controls.before_analyzer = at_start.before_analyzer = true;
     // Of all wavelengths together the planes of polarization of an active crystal come to nothing.
-    const auto& lambda_nm = scene->lambda_nm;
-    const double sodium_nm = 589.3;   // mean of the D lines
-    const auto nearer = [&](double a, double b) { return std::fabs(a - sodium_nm) < std::fabs(b - sodium_nm); };
-    const auto nearest = std::min_element(lambda_nm.begin(), lambda_nm.end(), nearer);
-    controls.view[1] = at_start.view[1] = {Quantity::ellipses, static_cast<std::size_t>(nearest - lambda_nm.begin())};
+    constexpr double sodium_nm = 589.3;   // mean of the D lines
+    controls.view[1] = at_start.view[1] = {Quantity::ellipses, nearest_wavelength(scene->lambda_nm, sodium_nm)};
   } else if (options.right) {
     controls.view[1] = at_start.view[1] = View{};
   }
@@ -125,11 +122,8 @@ View Session::shown_view(int pane) const {
   const std::size_t count = lambda_nm.size();
   const auto& of_left = status(0).lambda_nm;
   // The scrubber counts the left pane's wavelengths.
-  if (pane == 1 && controls.scrubbed && *controls.scrubbed < of_left.size() && count > 0) {
-    const double wanted_nm = of_left[*controls.scrubbed];
-    const auto nearer = [&](double a, double b) { return std::fabs(a - wanted_nm) < std::fabs(b - wanted_nm); };
-    view.wavelength = static_cast<std::size_t>(std::min_element(lambda_nm.begin(), lambda_nm.end(), nearer) - lambda_nm.begin());
-  }
+  if (pane == 1 && controls.scrubbed && *controls.scrubbed < of_left.size() && count > 0)
+    view.wavelength = nearest_wavelength(lambda_nm, of_left[*controls.scrubbed]);
   if (view.wavelength && count > 0) view.wavelength = std::min(*view.wavelength, count - 1);
   if (view.wavelength && count == 0) view.wavelength.reset();
   return view;

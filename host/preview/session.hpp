@@ -64,6 +64,8 @@ struct PaneStatus {
   std::string title, device, real;
   bool reading = false, working = false, done = false;
   bool specialised = false, building = false;           // kernel; one is being built on the side
+  bool waits_for_kernel = false;                        // none is ready: the first is being built
+  std::string kernel_failure;                           // why there is no specialised one; else empty
   int step = 0;                                         // see Picture
   double samples = 0;                                   // per pixel, of passes that are whole
   int passes = 0;
@@ -111,6 +113,7 @@ class Session {
   // thread: what takes longer than a few milliseconds comes later, and `wake` is called.
   const Developed& developed(int pane) const;
   std::uint64_t developed_version(int pane) const;
+  double display_factor(int pane) const;                // of developed().rgb: exposure, and the difference's amplification
   const Difference* difference() const;                 // null: not shown (yet), or there is one render only
   void finish_showing() const;                          // for scripts: waits until developed() and difference() are those of now
   std::vector<Ellipse> ellipses(int pane, int spacing) const;

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 
 #include "host/output/atomic_file.hpp"
 #include "host/preview/session_parts.hpp"
@@ -39,9 +39,10 @@ Frame whole_frame(const Picture& picture) {
 std::vector<std::pair<std::string, std::string>> notes(const PaneStatus& status) {
   std::string without;
   for (const std::string& name : status.without) without += (without.empty() ? "" : " ") + name;
-  const std::string sampling = status.step > 1 ? "blocks of " + std::to_string(status.step) + " pixels"
-                                               : std::to_string(status.samples) + " samples a pixel";
-  return {{"scene", status.title}, {"made", "nicol preview"}, {"device", status.device + ", " + status.real}, {"sampling", sampling},
+  std::ostringstream sampling;
+  if (status.step > 1) sampling << "blocks of " << status.step << " pixels";
+  else sampling << status.samples << " samples a pixel";
+  return {{"scene", status.title}, {"made", "nicol preview"}, {"device", status.device + ", " + status.real}, {"sampling", sampling.str()},
           {"without", without.empty() ? "nothing left out" : without}};
 }
 
@@ -72,9 +73,8 @@ void Session::save_picture(int pane) {
   frame.rgb = shown.rgb;
   frame.cut_off.resize(frame.plane());
   frame.row_done.assign(static_cast<std::size_t>(frame.height), 1);
-  const double stops = std::exp2(controls.exposure_stops) * (differs ? controls.amplification : status(pane).exposure);
-  if (shown.exposed)
-    for (float& value : frame.rgb) value *= static_cast<float>(stops);
+  const auto factor = static_cast<float>(display_factor(pane));
+  for (float& value : frame.rgb) value *= factor;
   frame.how = notes(status(pane));
   frame.how.emplace_back("shown", differs ? "difference" : name_of(shown_view(pane).quantity));
   Parts& p = *parts_;

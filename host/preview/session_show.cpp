@@ -105,6 +105,12 @@ const Developed& Session::developed(int pane) const {
 
 std::uint64_t Session::developed_version(int pane) const { return parts_->showing[static_cast<std::size_t>(pane)].version; }
 
+double Session::display_factor(int pane) const {
+  double factor = developed(pane).exposed ? status(pane).exposure * std::exp2(controls.exposure_stops) : 1;
+  if (pane == 1 && difference() && difference()->comparable) factor *= controls.amplification;
+  return factor;
+}
+
 void Session::finish_showing() const {
   while (!shows_latest()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }

@@ -54,14 +54,14 @@ KernelChoice SideBuilder::choose(const std::shared_ptr<Device>& device, std::uin
   KernelOptions built = wanted;
   built.own_process = meanwhile;   // PoCL starts no kernel while it compiles another; with nothing to show it is quicker here
   build(device, features, built);
-  const std::string failure = failure_of(key_of(device, features, wanted));
-  choice.building = failure.empty();
+  choice.failure = failure_of(key_of(device, features, wanted));
+  choice.building = choice.failure.empty();
   if (meanwhile) {
     choice.options = generic;
     choice.specialised = false;
     choice.ready = true;
-  } else if (!failure.empty()) {
-    throw DeviceError(failure);
+  } else if (!choice.failure.empty()) {
+    throw DeviceError(choice.failure);
   }
   return choice;
 }

@@ -20,6 +20,7 @@ struct KernelChoice {
   KernelOptions options;      // ready: to render with
   bool specialised = false;   // that kernel is the one for these features alone
   bool building = false;      // the specialised one is being built
+  std::string failure;        // why it cannot be, the generic one in its place
 };
 
 class SideBuilder {

@@ -63,14 +63,6 @@ void for_stokes(const Picture& picture, const View& view, Write write) {
   }
 }
 
-// Grey as bright as an equal-energy light of this radiance at all of the picture's wavelengths would be.
-double grey_per_radiance(const Frame& frame) {
-  double sum = 0;
-  for (std::size_t i = 0; i < frame.lambda_nm.size(); ++i)
-    sum += colour_matching(frame.lambda_nm[i])[1] * frame.weight_nm[i];
-  return sum;
-}
-
 void develop_colours(const Picture& picture, const View& view, std::vector<float>& rgb) {
   const float factor = view.quantity == Quantity::ellipses ? dimmed : 1;
   if (!view.wavelength) {
@@ -96,6 +88,13 @@ void develop_false_colours(const Picture& picture, const View& view, std::vector
 float norm(const float* s) { return std::sqrt(s[1] * s[1] + s[2] * s[2] + s[3] * s[3]); }
 
 }  // namespace
+
+double grey_per_radiance(const Frame& frame) {
+  double sum = 0;
+  for (std::size_t i = 0; i < frame.lambda_nm.size(); ++i)
+    sum += colour_matching(frame.lambda_nm[i])[1] * frame.weight_nm[i];
+  return sum;
+}
 
 const std::vector<Quantity>& all_quantities() {
   static const std::vector<Quantity> all = [] {
@@ -174,6 +173,11 @@ Scale scale_of(const View& view) {
     }
   }
   return scale;
+}
+
+std::size_t nearest_wavelength(const std::vector<double>& lambda_nm, double wanted_nm) {
+  const auto nearer = [=](double a, double b) { return std::fabs(a - wanted_nm) < std::fabs(b - wanted_nm); };
+  return static_cast<std::size_t>(std::min_element(lambda_nm.begin(), lambda_nm.end(), nearer) - lambda_nm.begin());
 }
 
 }  // namespace nicol::preview

@@ -37,6 +37,12 @@ struct Developed {
 };
 Developed develop(const Picture& picture, const View& view);
 
+// At one wavelength: grey as bright as an equal-energy light of that radiance at all of the picture's wavelengths would be.
+double grey_per_radiance(const Frame& frame);
+
+// Index of the wavelength nearest to one; there is at least one.
+std::size_t nearest_wavelength(const std::vector<double>& lambda_nm, double wanted_nm);
+
 // The scale beside it: colours at equal steps from `low` to `high`, and their unit. Empty: no false colours.
 struct Scale {
   std::vector<std::array<float, 3>> rgb;  // linear

@@ -6,21 +6,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 namespace nicol::window {
 namespace {
 
 double now_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-// What the shown numbers are multiplied with.
-double factor_of(const preview::Session& session, int pane, bool exposed) {
-  const preview::Controls& controls = session.controls;
-  double factor = exposed ? session.status(pane).exposure * std::exp2(controls.exposure_stops) : 1;
-  if (pane == 1 && session.difference() && session.difference()->comparable) factor *= controls.amplification;
-  return factor;
 }
 
 }  // namespace
@@ -68,7 +59,7 @@ void Canvas::draw_picture(const Ui& ui, int pane, int height) {
   PictureTexture& texture = textures_[static_cast<std::size_t>(pane)];
   texture.take(developed, session_.developed_version(pane));
   texture.draw(shader_, to_pixels(ui.layout.picture[static_cast<std::size_t>(pane)], scale),
-               to_pixels(visible_pane(ui, pane), scale), height, factor_of(session_, pane, developed.exposed));
+               to_pixels(visible_pane(ui, pane), scale), height, session_.display_factor(pane));
 }
 
 void Canvas::draw_to(unsigned framebuffer, const Ui& ui) {

@@ -165,11 +165,7 @@ void Script::Parts::set(const Words& words) {
   } else if (name == "wavelength") {
     const auto& lambda_nm = session.status(0).lambda_nm;
     if (lambda_nm.empty()) throw ScriptError("there are no wavelengths yet");
-    const double wanted_nm = number(value);
-    std::size_t nearest = 0;
-    for (std::size_t w = 0; w < lambda_nm.size(); ++w)
-      if (std::fabs(lambda_nm[w] - wanted_nm) < std::fabs(lambda_nm[nearest] - wanted_nm)) nearest = w;
-    c.scrubbed = nearest;
+    c.scrubbed = preview::nearest_wavelength(lambda_nm, number(value));
   } else if (name == "left" || name == "right") {
     const auto quantity = preview::quantity_named(value);
     if (!quantity) throw ScriptError("there is no view '" + value + "'");

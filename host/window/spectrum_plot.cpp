@@ -121,13 +121,6 @@ void draw_bars(ImDrawList& list, const Axes& axes, const PixelInfo& info, bool t
   }
 }
 
-std::size_t nearest(const std::vector<double>& lambda_nm, double at) {
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < lambda_nm.size(); ++i)
-    if (std::abs(lambda_nm[i] - at) < std::abs(lambda_nm[best] - at)) best = i;
-  return best;
-}
-
 std::string values_text(const PixelInfo& info, std::size_t index) {
   std::string text;
   for (std::size_t s = 0; s < 4; ++s) {
@@ -142,7 +135,7 @@ void read_off(ImDrawList& list, const Axes& axes, const PixelInfo& shown, const 
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const bool lone = shown.lambda_nm.size() < 2;
   const double at = axes.from + (axes.to - axes.from) * (mouse.x - axes.low.x) / (axes.high.x - axes.low.x);
-  const std::size_t index = lone ? 0 : nearest(shown.lambda_nm, at);
+  const std::size_t index = lone ? 0 : preview::nearest_wavelength(shown.lambda_nm, at);
   const float x = axes.x(shown.lambda_nm[index]);
   if (!lone) list.AddLine({x, axes.low.y}, {x, axes.high.y}, colours::dim);
   std::string text = fmt::format("{:.6g} nm\n{}", shown.lambda_nm[index], values_text(shown, index));

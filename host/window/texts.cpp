@@ -13,6 +13,8 @@ using preview::PaneStatus;
 using preview::Quantity;
 
 std::string kernel_text(const PaneStatus& status) {
+  if (status.waits_for_kernel) return "first kernel in building";
+  if (!status.kernel_failure.empty()) return "generic kernel, the specialised one does not build";
   if (status.building) return "generic kernel, specialised one in building";
   return status.specialised ? "specialised kernel" : "generic kernel";
 }

@@ -97,3 +97,17 @@ TEST_CASE("a pane's title names what is shown and what is left out") {
   status.without.clear();
   CHECK(pane_title(status, view, "before the analyzer") == "a.pov  |  before the analyzer  |  colour");
 }
+
+TEST_CASE("texts: the status line tells which kernel renders, and why it is not the specialised one") {
+  preview::PaneStatus status;
+  status.waits_for_kernel = status.building = true;
+  CHECK(status_text(status, false).find("first kernel in building") != std::string::npos);
+  status.waits_for_kernel = false;
+  CHECK(status_text(status, false).find("generic kernel, specialised one in building") != std::string::npos);
+  status.building = false;
+  status.kernel_failure = "no";
+  CHECK(status_text(status, false).find("does not build") != std::string::npos);
+  status.kernel_failure.clear();
+  status.specialised = true;
+  CHECK(status_text(status, false).find("specialised kernel") != std::string::npos);
+}
