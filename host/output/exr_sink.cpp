@@ -37,15 +37,6 @@ class ExrStream : public Imf::OStream {
   AtomicFile& file_;
 };
 
-// No printf of a double: its decimal sign would follow the locale.
-std::string channel_name(int component, double lambda_nm) {
-  const long long femtometres = std::llround(lambda_nm * 1e6);
-  char name[64];
-  std::snprintf(name, sizeof name, "S%d.%lld,%06lldnm", component, femtometres / 1000000,
-                femtometres % 1000000);
-  return name;
-}
-
 // An attribute's name keeps letters, digits and a few signs, so that every tool can show it.
 std::string attribute_name(const std::string& key) {
   std::string name = "nicol:" + key;
@@ -65,7 +56,7 @@ class Layout {
     for (const auto& [name, plane] : frame.planes) add(name, plane.data(), 1);
     for (int s = 0; s < 4; ++s)
       for (std::size_t i = 0; i < frame.lambda_nm.size(); ++i)
-        add(channel_name(s, frame.lambda_nm[i]), frame.component(s, i), 1);
+        add(channel_name("S" + std::to_string(s), frame.lambda_nm[i]), frame.component(s, i), 1);
     describe(frame);
   }
   const Imf::Header& header() const { return header_; }
@@ -131,6 +122,14 @@ class ExrSink : public FrameSink {
 };
 
 }  // namespace
+
+// No printf of a double: its decimal sign would follow the locale.
+std::string channel_name(const std::string& quantity, double lambda_nm) {
+  const long long femtometres = std::llround(lambda_nm * 1e6);
+  char name[48];
+  std::snprintf(name, sizeof name, ".%lld,%06lldnm", femtometres / 1000000, femtometres % 1000000);
+  return quantity + name;
+}
 
 std::unique_ptr<FrameSink> make_exr_sink(const std::string& path, ExrPacking packing) {
   return std::make_unique<ExrSink>(path, packing);
