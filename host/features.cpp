@@ -15,6 +15,9 @@ enum : std::uint32_t {
 #undef FEATURE
 };
 
+// Up to this many channels, lanes hold pixels: fewer lanes would idle than over wavelengths.
+constexpr int few_channels = 4;
+
 std::string at(const Location& where) { return " at line " + std::to_string(where.line); }
 
 // Collects, for each bit, the first thing that calls for it and why it is left out otherwise.

@@ -9,9 +9,6 @@
 
 namespace nicol {
 
-// Up to this many channels, lanes hold pixels: fewer lanes would idle than over wavelengths.
-inline constexpr int few_channels = 4;
-
 struct FeatureReason {
   std::string name;     // as in kernels/features.def
   std::string meaning;

@@ -72,7 +72,7 @@ CLI::Option* add_error_option(CLI::App& verb, const std::string& name, std::opti
 
 // Parts of a picture.
 void add_part_options(CLI::App& verb, RenderCommand& command) {
-  verb.add_option("--part", command.part, "i/n: only this share of the picture's tiles, for `nicol merge` (-o PART.exr)");
+  verb.add_option("--part", command.part, "i/n: only this share of the picture's pixels, for `nicol merge` (-o PART.exr)");
   verb.add_option("--wavelength-part", command.wavelength_part,
                   "A..B in nm: only those of the picture's wavelengths, for `nicol merge`; --wavelengths A..B is the same");
   WindowOptions& window = command.window;

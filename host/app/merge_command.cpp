@@ -12,14 +12,14 @@
 namespace nicol::app {
 namespace {
 
-// "2 of 3" where the parts are tiles i/n of the same n: which are not there.
+// "2 of 3" where the parts are shares i/n of the same n: which are not there.
 std::string missing_shares(const std::vector<PartNote>& parts) {
   std::set<int> there;
   int n = 0;
   for (const PartNote& part : parts) {
     int i = 0, of = 0;
     char after = 0;
-    if (std::sscanf(part.name.c_str(), "tiles %d/%d%c", &i, &of, &after) != 2 || (n != 0 && of != n)) return "";
+    if (std::sscanf(part.name.c_str(), "share %d/%d%c", &i, &of, &after) != 2 || (n != 0 && of != n)) return "";
     n = of;
     there.insert(i);
   }

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "host/channels.hpp"
+#include "host/opencl/gather.hpp"
 
 namespace nicol::app {
 namespace {
@@ -54,8 +54,8 @@ void choose_pixels(const RenderCommand& command, PictureShare& share, std::vecto
     const auto [i, n] = parse_share(command.part);
     share.pixels = dealt_pixels(width, height, i, n);
     if (share.pixels.empty())
-      throw UsageError(fmt::format("--part {}: the picture has fewer tiles of {}x{} pixels than that", command.part, deal_edge, deal_edge));
-    names.push_back("tiles " + command.part);
+      throw UsageError(fmt::format("--part {}: the picture has fewer runs of {} pixels than that", command.part, deal_run));
+    names.push_back("share " + command.part);
   }
   if (!has_window(command.window)) return;
   const PixelRange rows = pixel_range(command.window.start_row, command.window.end_row, height, "row");
@@ -130,6 +130,26 @@ PictureShare choose_share(const RenderCommand& command, const std::vector<std::s
   share.window_only = names.size() == 1 && has_window(command.window);
   if (!share.whole()) refuse_with_part(command, outputs, scene, share);
   return share;
+}
+
+PictureShare whole_lanes(const PictureShare& share, const PackedScene& whole, std::size_t wavelengths, int lanes) {
+  PictureShare wide = share;
+  if ((whole.features & lanes_over_pixels_bit()) != 0) {
+    const std::int64_t plane = static_cast<std::int64_t>(whole.width) * whole.height;
+    wide.pixels.clear();
+    std::int64_t end = 0;  // of the lanes taken so far
+    for (const std::int32_t p : share.pixels) {
+      if (p < end) continue;
+      end = std::min(plane, (p / lanes + 1) * std::int64_t{lanes});
+      for (std::int64_t q = p / lanes * std::int64_t{lanes}; q < end; ++q) wide.pixels.push_back(static_cast<std::int32_t>(q));
+    }
+  } else if (whole.mixing.empty() && share.wavelengths.count > 0) {
+    const auto step = static_cast<std::size_t>(lanes);
+    const std::size_t end = share.wavelengths.first + share.wavelengths.count;
+    wide.wavelengths.first = share.wavelengths.first / step * step;
+    wide.wavelengths.count = std::min(wavelengths, (end + step - 1) / step * step) - wide.wavelengths.first;
+  }
+  return wide;
 }
 
 WholePicture whole_picture(const LoadedScene& loaded, const RenderCommand& command) {

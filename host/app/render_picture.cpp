@@ -18,7 +18,6 @@
 #include "host/app/render_summary.hpp"
 #include "host/output/error_map.hpp"
 #include "host/output/journal.hpp"
-#include "host/opencl/gather.hpp"
 #include "host/pack.hpp"
 
 namespace nicol::app {
@@ -59,9 +58,9 @@ void check_memory(const LoadedScene& loaded, const SceneOptions& options, const 
 struct Job {
   std::shared_ptr<Device> device;
   RenderOptions options;
-  PictureShare share;
+  PictureShare share, rendered;              // what is wanted; with it what lanes hold beside that
   PackedScene packed;
-  std::vector<double> lambda_nm, weight_nm;  // of the share
+  std::vector<double> lambda_nm, weight_nm;  // that are rendered
   std::unique_ptr<Journal> journal;
   Frame frame;
   RenderReport report;
@@ -71,26 +70,21 @@ struct Job {
 // Everything is bound, and every effect decided, for the whole scene; then what is not in the share is left out.
 void pack_share(const LoadedScene& loaded, const RenderCommand& command, Job& job) {
   const Scene& scene = loaded.scene;
-  const WavelengthRange all{0, scene.lambda_nm.size()}, only = job.share.wavelengths.count > 0 ? job.share.wavelengths : all;
-  std::uint32_t features = loaded.features.mask;
-  const auto packed = [&] {
-    return pack(scene, loaded.geometry, features, command.options.width, command.options.height,
-                lanes_on(*job.device, job.options.kernel), 0, only);
-  };
-  job.packed = packed();
-  const bool subset = only.count < all.count;
-  if (subset && job.packed.channels <= few_channels && (features & lanes_over_pixels_bit()) == 0) {
-    features |= lanes_over_pixels_bit();  // lanes that few wavelengths leave idle; the bits are the same
-    job.packed = packed();
-  }
+  const int lanes = lanes_on(*job.device, job.options.kernel), width = command.options.width, height = command.options.height;
+  if (job.share.wavelengths.count == 0) job.share.wavelengths = {0, scene.lambda_nm.size()};
+  job.packed = pack(scene, loaded.geometry, loaded.features.mask, width, height, lanes);
+  job.rendered = whole_lanes(job.share, job.packed, scene.lambda_nm.size(), lanes);
+  const WavelengthRange only = job.rendered.wavelengths;
+  if (only.count < scene.lambda_nm.size())
+    job.packed = pack(scene, loaded.geometry, loaded.features.mask, width, height, lanes, 0, only);
   const auto cut = [&](const std::vector<double>& values) {
     const auto first = values.begin() + static_cast<std::ptrdiff_t>(only.first);
     return std::vector<double>(first, first + static_cast<std::ptrdiff_t>(only.count));
   };
   job.lambda_nm = cut(scene.lambda_nm);
   job.weight_nm = cut(scene.weight_nm);
-  job.options.pixels = job.share.pixels;
-  job.options.channel_cut_off = subset;
+  job.options.pixels = job.rendered.pixels;
+  job.options.channel_cut_off = job.share.wavelengths.count < scene.lambda_nm.size();
 }
 
 void prepare(const LoadedScene& loaded, const RenderCommand& command, const std::vector<Target>& targets, Job& job) {
@@ -130,18 +124,23 @@ void render_loaded(const LoadedScene& loaded, const RenderCommand& command, cons
 // A part: of full size, and with what it belongs to.
 void make_part_of(const LoadedScene& loaded, const RenderCommand& command, Job& job) {
   const int width = command.options.width, height = command.options.height;
-  const bool all_pixels = job.share.pixels.empty();
-  std::vector<float> rendered(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), all_pixels ? 1.0f : 0.0f);
-  for (const std::int32_t p : job.share.pixels) rendered[static_cast<std::size_t>(p)] = 1;
-  if (!all_pixels) job.frame = spread_out(job.frame, job.share.pixels, width, height);
+  const std::vector<std::int32_t>& pixels = job.share.pixels;
+  std::vector<float> wanted(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), pixels.empty() ? 1.0f : 0.0f);
+  for (const std::int32_t p : pixels) wanted[static_cast<std::size_t>(p)] = 1;
+  const WavelengthRange wavelengths = job.share.wavelengths;
+  if (!pixels.empty() || wavelengths.count < job.lambda_nm.size()) {
+    std::vector<std::int32_t> rendered = job.rendered.pixels;
+    for (std::int32_t p = 0; rendered.size() < wanted.size() && pixels.empty(); ++p) rendered.push_back(p);
+    job.frame = cut_out(job.frame, rendered, wanted, width, height, wavelengths.first - job.rendered.wavelengths.first, wavelengths.count);
+  }
   const RenderReport& report = job.report;
   PartNote part;
   part.whole = whole_picture(loaded, command);
   part.name = job.share.name;
-  part.device = fmt::format("{} ({})", report.device, info(*job.device).driver);
+  part.device = fmt::format("{} ({}, {} lanes)", report.device, info(*job.device).driver, report.lanes);
   part.seconds = report.seconds;
   part.counted = {report.nan_count, report.energy_count, report.stack_count, report.stokes_count, report.fallback_count};
-  part.checksum = make_part(job.frame, rendered);
+  part.checksum = make_part(job.frame, wanted);
   for (auto& note : notes_of_part(part)) job.frame.how.push_back(std::move(note));
 }
 

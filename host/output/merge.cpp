@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <set>
 
 #include "host/output/exr_source.hpp"
 #include "host/output/sinks.hpp"
@@ -168,26 +167,24 @@ std::vector<std::size_t> Merger::present_wavelengths() const {
   return found;
 }
 
-// Of squares of the deal with a pixel that lacks one of these wavelengths.
+// The pixels that lack one of these wavelengths.
 std::string Merger::missing_pixels(const std::vector<std::size_t>& wavelengths) const {
-  constexpr std::size_t most_told = 6;
-  std::size_t pixels = 0;
-  std::set<std::pair<std::size_t, std::size_t>> squares;
+  constexpr int most_told = 4;
   const auto width = static_cast<std::size_t>(frame_.width);
-  for (std::size_t p = 0; p < frame_.plane(); ++p) {
-    if (has(p, wavelengths)) continue;
-    ++pixels;
-    squares.emplace(p / width / deal_edge, p % width / deal_edge);
+  const auto lacks = [&](std::size_t pixel) { return !has(pixel, wavelengths); };
+  std::size_t pixels = 0;
+  int runs = 0;
+  std::string text;
+  for (std::size_t p = 0; p < frame_.plane();) {
+    const std::size_t first = p, row_end = (p / width + 1) * width;
+    while (p < row_end && lacks(p)) ++p;
+    pixels += p - first;
+    if (p > first && ++runs <= most_told)
+      text += fmt::format("{}row {} columns {}..{}", text.empty() ? "" : ", ", first / width + 1, first % width + 1, (p - 1) % width + 1);
+    if (p < row_end) ++p;
   }
   if (pixels == 0) return "";
-  std::string text;
-  std::size_t told = 0;
-  for (const auto& [row, column] : squares) {
-    if (told++ == most_told) break;
-    text += fmt::format("{}({}, {})", text.empty() ? "" : ", ", column * deal_edge + 1, row * deal_edge + 1);
-  }
-  return fmt::format("{} of {} pixels, in {} tiles of {} x {}, with column and row: {}{}", pixels, frame_.plane(), squares.size(),
-                     deal_edge, deal_edge, text, squares.size() > most_told ? ", ..." : "");
+  return fmt::format("{} of {} pixels ({}{})", pixels, frame_.plane(), text, runs > most_told ? ", ..." : "");
 }
 
 std::string Merger::missing() const {

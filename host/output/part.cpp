@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 
 #include "host/output/exr_source.hpp"
 #include "host/output/sinks.hpp"
@@ -167,45 +166,49 @@ void Checksum::add(const float* values, std::size_t count) {
 
 std::string Checksum::text() const { return fmt::format("{:016x}", sum_); }
 
-Frame spread_out(const Frame& row, const std::vector<std::int32_t>& pixels, int width, int height) {
+Frame cut_out(const Frame& rendered, const std::vector<std::int32_t>& pixels, const std::vector<float>& wanted, int width, int height,
+              std::size_t first, std::size_t count) {
   Frame frame;
   frame.width = width;
   frame.height = height;
-  frame.lambda_nm = row.lambda_nm;
-  frame.weight_nm = row.weight_nm;
-  frame.exposure = row.exposure;
-  frame.how = row.how;
+  const auto from = static_cast<std::ptrdiff_t>(first), to = static_cast<std::ptrdiff_t>(first + count);
+  frame.lambda_nm.assign(rendered.lambda_nm.begin() + from, rendered.lambda_nm.begin() + to);
+  frame.weight_nm.assign(rendered.weight_nm.begin() + from, rendered.weight_nm.begin() + to);
+  frame.exposure = rendered.exposure;
+  frame.how = rendered.how;
   frame.rows_done = height;
   frame.row_done.assign(static_cast<std::size_t>(height), 1);
-  frame.stokes.resize(frame.plane() * 4 * frame.lambda_nm.size());
+  frame.stokes.resize(frame.plane() * 4 * count);
   frame.cut_off.resize(frame.plane());
-  if (!row.channel_cut_off.empty()) frame.channel_cut_off.resize(frame.plane() * frame.lambda_nm.size());
-  const auto spread = [&](const float* from, float* to) {
-    for (std::size_t i = 0; i < pixels.size(); ++i) to[pixels[i]] = from[i];
+  const bool own_cut_off = !rendered.channel_cut_off.empty();
+  if (own_cut_off) frame.channel_cut_off.resize(frame.plane() * count);
+  const auto spread = [&](const float* values, float* picture) {
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      if (wanted[static_cast<std::size_t>(pixels[i])] != 0) picture[pixels[i]] = values[i];
   };
-  spread(row.cut_off.data(), frame.cut_off.data());
-  for (std::size_t w = 0; w < frame.lambda_nm.size(); ++w) {
-    for (int s = 0; s < 4; ++s) spread(row.component(s, w), frame.component(s, w));
-    if (!row.channel_cut_off.empty())
-      spread(row.channel_cut_off.data() + w * pixels.size(), frame.channel_cut_off.data() + w * frame.plane());
+  spread(rendered.cut_off.data(), frame.cut_off.data());
+  for (std::size_t w = 0; w < count; ++w) {
+    for (int s = 0; s < 4; ++s) spread(rendered.component(s, first + w), frame.component(s, w));
+    if (own_cut_off)
+      spread(rendered.channel_cut_off.data() + (first + w) * rendered.plane(), frame.channel_cut_off.data() + w * frame.plane());
   }
   return frame;
 }
 
 std::vector<std::int32_t> dealt_pixels(int width, int height, int i, int n) {
-  const int across = (width + deal_edge - 1) / deal_edge, down = (height + deal_edge - 1) / deal_edge;
-  // From one row of squares to the next the deal goes on about 0.618 n further: no stripes, whatever the width.
-  std::int64_t further = (std::int64_t{618} * n + 500) / 1000;
-  while (std::gcd(further, std::int64_t{n}) != 1) ++further;
+  const std::int64_t plane = static_cast<std::int64_t>(width) * height;
   std::vector<std::int32_t> pixels;
-  for (int v = 0; v < down; ++v) {
-    const std::int64_t shift = ((further - across) % n + n) % n * v % across;
-    for (int u = 0; u < across; ++u) {
-      if ((std::int64_t{v} * across + (u + shift) % across) % n != i - 1) continue;
-      for (int y = v * deal_edge; y < std::min(height, (v + 1) * deal_edge); ++y)
-        for (int x = u * deal_edge; x < std::min(width, (u + 1) * deal_edge); ++x)
-          pixels.push_back(static_cast<std::int32_t>(static_cast<std::int64_t>(y) * width + x));
-    }
+  for (std::int64_t round = 0; round * n * deal_run < plane; ++round) {
+    // splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014)
+    std::uint64_t random = static_cast<std::uint64_t>(round) * 0x9e3779b97f4a7c15u;
+    random = (random ^ (random >> 30)) * 0xbf58476d1ce4e5b9u;
+    random = (random ^ (random >> 27)) * 0x94d049bb133111ebu;
+    // The last round may hold fewer runs than shares.
+    const std::int64_t runs = (plane + deal_run - 1) / deal_run, here = std::min<std::int64_t>(n, runs - round * n);
+    const auto turn = static_cast<std::int64_t>((random ^ (random >> 31)) % static_cast<std::uint64_t>(here));
+    if (i > here) break;
+    const std::int64_t first = (round * n + (i - 1 + turn) % here) * deal_run;
+    for (std::int64_t p = first; p < std::min(plane, first + deal_run); ++p) pixels.push_back(static_cast<std::int32_t>(p));
   }
   return pixels;
 }

@@ -1,6 +1,7 @@
 // Parts of a picture: files that several machines render and that merge.hpp joins to the bits of one run. A part is a picture of
 // full size, zero where it was not rendered, with a channel `weight` (1 or 0) and, in its header, which whole it belongs to.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -28,7 +29,7 @@ std::string difference(const WholePicture& one, const WholePicture& two);
 
 struct PartNote {
   WholePicture whole;
-  std::string name;      // "tiles 2/3", "rows 1..20", "450..550 nm"
+  std::string name;      // "share 2/3", "rows 1..20", "450..550 nm"
   std::string checksum;  // of the pixels
   std::string device;
   double seconds = 0;
@@ -57,12 +58,15 @@ class Checksum {
   std::uint64_t sum_ = 0xcbf29ce484222325u;  // FNV-1a
 };
 
-// A row of pixels (pixels[i] of the whole picture) as a picture of full size; zero elsewhere.
-Frame spread_out(const Frame& row, const std::vector<std::int32_t>& pixels, int width, int height);
+// What is wanted of a rendered frame, as a picture of full size, zero elsewhere. pixels[i] of the picture is pixel i of the frame, if it is
+// wanted (1, else 0); of the wavelengths, `count` from `first` on.
+Frame cut_out(const Frame& rendered, const std::vector<std::int32_t>& pixels, const std::vector<float>& wanted, int width, int height,
+              std::size_t first, std::size_t count);
 
-// The share i of n (1 <= i <= n) of a picture's pixels: squares of deal_edge pixels are dealt in turn, the beginning shifted from row to
-// row of squares, so that shares lie all over the picture. Shares differ by at most one square. Empty where n is more than there are.
-inline constexpr int deal_edge = 16;
+// The share i of n (1 <= i <= n) of a picture's pixels, ascending: runs of deal_run pixels (row after row, over their ends) are dealt, to each share
+// one out of n that follow one another, in an order that turns at random: shares lie all over the picture and cost about alike. They
+// differ by at most one run. Empty where n is more than there are runs.
+inline constexpr int deal_run = 64;  // a multiple of all numbers of lanes: no share cuts what lanes hold together
 std::vector<std::int32_t> dealt_pixels(int width, int height, int i, int n);
 
 }  // namespace nicol
