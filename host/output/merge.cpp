@@ -73,7 +73,10 @@ void Merger::add(const std::string& path) {
   const bool own_cut_off = source.has_channel(channel_name("cutoff", lambda_nm.front()));
   if (!own_cut_off && !part.whole.shared_channels && wavelengths.size() < frame_.lambda_nm.size())
     cannot_read(path, "it has no cut-offs of its wavelengths");
-  if (own_cut_off) channel_cut_off_.resize(owners_.size());
+  if (own_cut_off) {
+    channel_cut_off_.resize(owners_.size());
+    channel_owners_.resize(owners_.size());
+  }
   const std::vector<std::string> names = part_channels(lambda_nm, own_cut_off);
   const std::size_t width = static_cast<std::size_t>(frame_.width), block = rows_at_once * width;
   std::vector<float> values(names.size() * block);
@@ -118,9 +121,11 @@ void Merger::take_row(int y, const std::vector<std::size_t>& wavelengths, bool o
       for (int s = 0; s < 4; ++s)
         take_run(first, run, planes[stokes_at + static_cast<std::size_t>(s) * count + i] + begin, frame_.component(s, w), owners,
                  stokes_names[s], frame_.lambda_nm[w]);
-      if (own_cut_off)
-        take_run(first, run, planes[2 + i] + begin, channel_cut_off_.data() + w * plane, owners, "the cut-off", frame_.lambda_nm[w]);
       own(first, run, owners);
+      if (!own_cut_off) continue;
+      Owner* cut_off_owners = channel_owners_.data() + w * plane;
+      take_run(first, run, planes[2 + i] + begin, channel_cut_off_.data() + w * plane, cut_off_owners, "the cut-off", frame_.lambda_nm[w]);
+      own(first, run, cut_off_owners);
     }
   }
 }

@@ -52,7 +52,8 @@ class Merger {
   std::vector<std::string> warnings_;
   Frame frame_;                                // of all wavelengths
   std::vector<Owner> owners_, cut_off_owners_; // [wavelength][pixel]; [pixel]
-  ZeroedFloats channel_cut_off_;               // [wavelength][pixel], once a part has them
+  ZeroedFloats channel_cut_off_;               // [wavelength][pixel], once a part has them, as their owners
+  std::vector<Owner> channel_owners_;
 };
 
 }  // namespace nicol
