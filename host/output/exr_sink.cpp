@@ -49,7 +49,9 @@ class Layout {
  public:
   Layout(const Frame& frame, const std::vector<float>& rgb, ExrPacking packing)
       : width_(static_cast<std::size_t>(frame.width)), header_(frame.width, frame.height) {
-    header_.compression() = packing == ExrPacking::piz ? Imf::PIZ_COMPRESSION : Imf::NO_COMPRESSION;
+    // Parts are full of holes: wavelets spread them, ZIP makes them nearly nothing.
+    const bool holes = std::any_of(frame.planes.begin(), frame.planes.end(), [](const auto& named) { return named.first == "weight"; });
+    header_.compression() = packing == ExrPacking::none ? Imf::NO_COMPRESSION : holes ? Imf::ZIP_COMPRESSION : Imf::PIZ_COMPRESSION;
     for (int k = 0; k < 3; ++k) add(std::string(1, "RGB"[k]), rgb.data() + k, 3);
     if (!frame.cut_off.empty()) add("cutoff", frame.cut_off.data(), 1);
     if (!frame.sample_error.empty()) add("error.sampling", frame.sample_error.data(), 1);

@@ -15,21 +15,19 @@
 
 namespace {
 
-std::vector<float> plane(Imf::InputFile& file, const std::string& channel) {
-  const auto window = file.header().dataWindow();
-  const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
-  std::vector<float> values(static_cast<std::size_t>(width) * height);
-  Imf::FrameBuffer pixels;
-  pixels.insert(channel, Imf::Slice::Make(Imf::FLOAT, values.data(), window));
-  file.setFrameBuffer(pixels);
-  file.readPixels(window.min.y, window.max.y);
-  return values;
-}
-
 std::map<std::string, std::vector<float>> channels(const char* path) {
   Imf::InputFile file(path);
+  const auto window = file.header().dataWindow();
+  const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
   std::map<std::string, std::vector<float>> found;
-  for (auto c = file.header().channels().begin(); c != file.header().channels().end(); ++c) found[c.name()] = plane(file, c.name());
+  Imf::FrameBuffer pixels;
+  for (auto c = file.header().channels().begin(); c != file.header().channels().end(); ++c) {
+    std::vector<float>& values = found[c.name()];
+    values.resize(static_cast<std::size_t>(width) * height);
+    pixels.insert(c.name(), Imf::Slice::Make(Imf::FLOAT, values.data(), window));
+  }
+  file.setFrameBuffer(pixels);
+  file.readPixels(window.min.y, window.max.y);
   return found;
 }
 
