@@ -18,11 +18,17 @@ Vec3 minus(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b
 
 class Packer {
  public:
-  Packer(const Scene& scene, const Geometry& geometry, int lanes) : scene_(scene), geometry_(geometry) {
+  Packer(const Scene& scene, const Geometry& geometry, int lanes, WavelengthRange only)
+      : scene_(scene), geometry_(geometry), only_(only) {
+    if (only_.count == 0) only_ = {0, scene.lambda_nm.size()};
     channels_ = choose_channels(scene);
-    out_.channels = channels_.count;
-    out_.stride = (channels_.count + lanes - 1) / lanes * lanes;
-    out_.mixing = channels_.mixing;
+    out_.channels = channels_.shared ? channels_.count : static_cast<int>(only_.count);
+    out_.stride = (out_.channels + lanes - 1) / lanes * lanes;
+    for (std::size_t at = 0; at < channels_.mixing.size(); at += scene.lambda_nm.size()) {
+      const Samples cut = wanted(Samples(channels_.mixing.begin() + static_cast<std::ptrdiff_t>(at),
+                                         channels_.mixing.begin() + static_cast<std::ptrdiff_t>(at + scene.lambda_nm.size())));
+      out_.mixing.insert(out_.mixing.end(), cut.begin(), cut.end());
+    }
     origin_ = scene_origin();
   }
 
@@ -80,10 +86,15 @@ class Packer {
       out_.tables.push_back(values[std::min<std::size_t>(i, values.size() - 1)]);
     return index;
   }
+  // Of values by wavelength, those that are packed.
+  Samples wanted(const Samples& values) const {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(only_.first);
+    return Samples(first, first + static_cast<std::ptrdiff_t>(only_.count));
+  }
   // A row of a quantity that is given by wavelength: the same value in every shared channel.
-  int transport_row(const Samples& values) { return row(channels_.shared ? Samples(1, values.front()) : values); }
+  int transport_row(const Samples& values) { return row(channels_.shared ? Samples(1, values.front()) : wanted(values)); }
   int source_row(const Samples& radiance, const std::vector<double>* shares) {
-    std::vector<double> values = channels_.shared ? *shares : radiance;
+    std::vector<double> values = channels_.shared ? *shares : wanted(radiance);
     values.resize(out_.stride, 0.0);  // idle lanes see no light
     return row(values);
   }
@@ -304,6 +315,7 @@ class Packer {
 
   const Scene& scene_;
   const Geometry& geometry_;
+  WavelengthRange only_;
   Channels channels_;
   PackedScene out_;
   double shrink_ = 1;  // of a pixel, against the picture's edge over `width`
@@ -316,8 +328,8 @@ class Packer {
 }  // namespace
 
 PackedScene pack(const Scene& scene, const Geometry& geometry, std::uint32_t features, int width, int height, int lanes,
-                 int pixels_across) {
-  return Packer(scene, geometry, lanes).run(features, width, height, pixels_across);
+                 int pixels_across, WavelengthRange only) {
+  return Packer(scene, geometry, lanes, only).run(features, width, height, pixels_across);
 }
 
 }  // namespace nicol

@@ -1,5 +1,6 @@
 // Scene and geometry to the flat buffers of kernels/abi.h.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,8 +24,14 @@ struct PackedScene {
   std::vector<double> mixing;
 };
 
+// Some of a scene's wavelengths, neighbours of one another.
+struct WavelengthRange {
+  std::size_t first = 0, count = 0;   // count 0: all
+};
+
 // `pixels_across`: of the picture whose pixels these are (0: `width`); their size decides what adds as amplitudes.
+// `only`: these wavelengths are packed, each as it is in the whole scene; where channels are shared, all channels, with the shares of these.
 PackedScene pack(const Scene& scene, const Geometry& geometry, std::uint32_t features, int width, int height,
-                 int lanes, int pixels_across = 0);
+                 int lanes, int pixels_across = 0, WavelengthRange only = {});
 
 }  // namespace nicol

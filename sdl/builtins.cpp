@@ -26,7 +26,7 @@ Numbers Parser::constant(const Token& token) {
     case Keyword::k_tau: return Numbers(6.28318530717958647692);
     case Keyword::k_on: case Keyword::k_yes: case Keyword::k_true: return Numbers(1);
     case Keyword::k_clock: return Numbers(options_.clock);
-    case Keyword::k_clock_on: return Numbers(options_.final_frame != options_.initial_frame ? 1 : 0);
+    case Keyword::k_clock_on: return Numbers(options_.final_frame != options_.initial_frame || options_.clock != 0 ? 1 : 0);
     case Keyword::k_now:
       return Numbers((static_cast<double>(std::time(nullptr)) - 946684800.0) / 86400.0);
     default: return Numbers(0);

@@ -22,8 +22,8 @@ void Parser::predeclare() {
   number("frame_number", options_.frame_number);
   number("initial_frame", options_.initial_frame);
   number("final_frame", options_.final_frame);
-  number("initial_clock", options_.clock);
-  number("final_clock", options_.clock);
+  number("initial_clock", options_.initial_clock);
+  number("final_clock", options_.final_clock);
   for (const auto& [name, value] : options_.declares) number(name.c_str(), value);
 }
 

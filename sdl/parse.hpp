@@ -25,7 +25,7 @@ struct Options {
   std::vector<std::string> library_paths;      // +L, after the working directory
   std::map<std::string, double> declares;      // Declare=name=value
   double image_width = 640, image_height = 480;
-  double clock = 0, clock_delta = 0;
+  double clock = 0, clock_delta = 0, initial_clock = 0, final_clock = 0;
   double frame_number = 0, initial_frame = 0, final_frame = 0;
   std::vector<std::string> reserved;           // words that a scene may not declare
   std::size_t most_errors = 100;               // then the parse ends

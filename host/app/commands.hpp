@@ -15,6 +15,12 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Where in an animation a picture stands, as the scene sees it.
+struct FrameClock {
+  double clock = 0, clock_delta = 0, initial_clock = 0, final_clock = 0;
+  int frame_number = 0, initial_frame = 0, final_frame = 0;
+};
+
 // What may be said of a scene beside its text.
 struct SceneOptions {
   int width = 512, height = 512;
@@ -26,6 +32,7 @@ struct SceneOptions {
   std::optional<int> max_trace_level;
   std::optional<double> adc_bailout;
   std::string polarization;  // on, off; empty: the scene's
+  FrameClock clock;
 };
 
 struct DeviceOptions {
@@ -39,6 +46,22 @@ struct DeviceOptions {
 // "0.1%" or "0.001": greater than 0, less than 1. UsageError otherwise.
 double parse_relative_error(const std::string& text);
 
+// POV-Ray's partial output: numbers above 1 are pixels, from 1 on and inclusive, those up to 1 parts of the picture.
+struct WindowOptions {
+  std::optional<double> start_row, end_row, start_column, end_column;
+};
+
+// POV-Ray's animation options. Frames, if final_frame is given.
+struct AnimationOptions {
+  int initial_frame = 1;
+  std::optional<int> final_frame;
+  double initial_clock = 0, final_clock = 1;
+  bool cyclic = false;                                  // the last frame is one step before final_clock
+  std::optional<double> subset_start, subset_end;       // frames; below 1: parts of final_frame
+  std::string film;                                     // to be made of the frames by ffmpeg; "": none
+  double frames_per_second = 25;
+};
+
 struct RenderCommand {
   std::string scene;
   std::vector<std::string> outputs;  // empty: the scene's name with .png, in the working directory
@@ -47,7 +70,18 @@ struct RenderCommand {
   bool quiet = false;
   bool resume = false;      // --continue: from the tiles that an unfinished run has kept
   bool no_budget = false;
+  std::string part;             // i/n: this share of the picture's pixels; "": all
+  std::string wavelength_part;  // a..b in nm: those of the scene's wavelengths; "": all
+  WindowOptions window;
+  AnimationOptions animation;
   std::string error_map;    // "": none
+  std::string command_line;  // for the picture's header
+};
+
+struct MergeCommand {
+  std::vector<std::string> parts, outputs;
+  bool incomplete = false;   // what is missing does not matter
+  bool quiet = false;
   std::string command_line;  // for the picture's header
 };
 
@@ -72,6 +106,7 @@ struct ExpectCommand {
 };
 
 int render_command(const RenderCommand& command);
+int merge_command(const MergeCommand& command);
 int explain_command(const ExplainCommand& command);
 int check_command(const CheckCommand& command);
 int expect_command(const ExpectCommand& command);

@@ -108,6 +108,14 @@ sdl::Options parse_options(const SceneOptions& options) {
     result.declares[declare.substr(0, equals)] =
         parse_number(std::string_view(declare).substr(equals + 1), declare);
   }
+  const FrameClock& clock = options.clock;
+  result.clock = clock.clock;
+  result.clock_delta = clock.clock_delta;
+  result.initial_clock = clock.initial_clock;
+  result.final_clock = clock.final_clock;
+  result.frame_number = clock.frame_number;
+  result.initial_frame = clock.initial_frame;
+  result.final_frame = clock.final_frame;
   result.image_width = options.width;
   result.image_height = options.height;
   return result;
@@ -170,10 +178,11 @@ ReadScene read_scene(const std::string& path, const SceneOptions& options, Expec
 }
 
 std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options,
-                                        Expectations expectations) {
+                                        Expectations expectations, std::string* told) {
   ReadScene read = read_scene(path, options, expectations);
-  const sdl::Diagnostics& diagnostics = read.loaded->parsed.diagnostics;
-  if (!diagnostics.all().empty()) fmt::print(stderr, "{}", diagnostics.text());
+  const std::string text = read.loaded->parsed.diagnostics.all().empty() ? "" : read.loaded->parsed.diagnostics.text();
+  if (!told || *told != text) fmt::print(stderr, "{}", text);
+  if (told) *told = text;
   if (!read.whole) return nullptr;
   return std::move(read.loaded);
 }

@@ -34,9 +34,10 @@ ReadScene read_scene(const std::string& path, const SceneOptions& options,
                      Expectations expectations = Expectations::where_they_apply);
 
 // Warnings and errors go to standard error; null if there was an error. UsageError for wrong
-// options.
+// options. told: what was told last time (of another frame), which is not told again.
 std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options,
-                                        Expectations expectations = Expectations::where_they_apply);
+                                        Expectations expectations = Expectations::where_they_apply,
+                                        std::string* told = nullptr);
 
 // Where include files lie, what is declared, the size of the picture.
 sdl::Options parse_options(const SceneOptions& options);

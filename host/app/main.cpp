@@ -70,13 +70,40 @@ CLI::Option* add_error_option(CLI::App& verb, const std::string& name, std::opti
   return verb.add_option(name, read, meaning)->type_name("PERCENT");
 }
 
+// Parts of a picture.
+void add_part_options(CLI::App& verb, RenderCommand& command) {
+  verb.add_option("--part", command.part, "i/n: only this share of the picture's pixels, for `nicol merge` (-o PART.exr)");
+  verb.add_option("--wavelength-part", command.wavelength_part,
+                  "A..B in nm: only those of the picture's wavelengths, for `nicol merge`; --wavelengths A..B is the same");
+  WindowOptions& window = command.window;
+  verb.add_option("--start-row", window.start_row, "First row of a window of the picture; up to 1: part of the height (+SR)");
+  verb.add_option("--end-row", window.end_row, "Its last row (+ER)");
+  verb.add_option("--start-column", window.start_column, "Its first column (+SC)");
+  verb.add_option("--end-column", window.end_column, "Its last column (+EC)");
+}
+
+void add_animation_options(CLI::App& verb, RenderCommand& command) {
+  AnimationOptions& animation = command.animation;
+  verb.add_option("--clock", command.options.clock.clock, "The clock of a single picture (+K)");
+  verb.add_option("--initial-frame", animation.initial_frame, "Number of an animation's first frame (+KFI)")->capture_default_str();
+  verb.add_option("--final-frame", animation.final_frame, "Number of its last frame: makes it an animation (+KFF)");
+  verb.add_option("--initial-clock", animation.initial_clock, "The clock of the first frame (+KI)")->capture_default_str();
+  verb.add_option("--final-clock", animation.final_clock, "The clock of the last frame (+KF)")->capture_default_str();
+  verb.add_flag("--cyclic", animation.cyclic, "The final clock is that of the frame after the last (+KC)");
+  verb.add_option("--subset-start", animation.subset_start, "First frame to render (+SF)");
+  verb.add_option("--subset-end", animation.subset_end, "Last frame to render (+EF)");
+  verb.add_option("--film", animation.film, "Film to be made of the .png frames by ffmpeg");
+  verb.add_option("--fps", animation.frames_per_second, "Its frames per second")->check(CLI::Range(0.01, 1000.0))->capture_default_str();
+}
+
 using Verb = std::function<int()>;
 
 void add_render(CLI::App& app, RenderCommand& command, Verb& chosen) {
   CLI::App* verb =
       app.add_subcommand("render", "Render a scene to pictures: .exr (spectral Stokes) and .png");
   verb->footer(
-      "POV-Ray's switches work too: +Iscene.pov +Oout.png +W640 +H480 +Lfolder Declare=name=value");
+      "POV-Ray's switches work too: +Iscene.pov +Oout.png +W640 +H480 +Lfolder Declare=name=value, windows (+SR +ER +SC +EC) and "
+      "animations (+KFI +KFF +KI +KF +KC +SF +EF)");
   verb->add_option("scene,-i,--input", command.scene, "The scene")->required();
   verb->add_option("-o,--output", command.outputs,
                    "Picture to write (.exr or .png); may be repeated")
@@ -94,7 +121,24 @@ void add_render(CLI::App& app, RenderCommand& command, Verb& chosen) {
   verb->add_flag("--no-budget", command.no_budget, "Do not look into the picture's errors afterwards");
   add_device_options(*verb, command.device, {"float", "double"});
   verb->add_flag("-q,--quiet", command.quiet, "Tell only what went wrong");
-  verb->callback([&] { chosen = [&] { return render_command(command); }; });
+  add_part_options(*verb, command);
+  add_animation_options(*verb, command);
+  verb->callback([&] {
+    std::string& wavelengths = command.options.wavelengths;
+    if (wavelengths.find("..") != std::string::npos && command.wavelength_part.empty()) command.wavelength_part.swap(wavelengths);
+    chosen = [&] { return render_command(command); };
+  });
+}
+
+void add_merge(CLI::App& app, MergeCommand& command, Verb& chosen) {
+  CLI::App* verb = app.add_subcommand("merge", "Join parts of a picture, rendered by several runs, to the bits of one run");
+  verb->add_option("parts", command.parts, "The parts (.exr)")->required();
+  verb->add_option("-o,--output", command.outputs, "Picture to write (.exr or .png); may be repeated")
+      ->required()
+      ->allow_extra_args(false);
+  verb->add_flag("--incomplete", command.incomplete, "Write what there is though parts are missing");
+  verb->add_flag("-q,--quiet", command.quiet, "Tell only what went wrong");
+  verb->callback([&] { chosen = [&] { return merge_command(command); }; });
 }
 
 void add_preview(CLI::App& app, PreviewCommand& command, Verb& chosen) {
@@ -223,6 +267,7 @@ int run(const std::vector<std::string>& arguments) {
     return fmt::format("nicol: {}\nTry `nicol --help` or `nicol VERB --help`.\n", error.what());
   });
   RenderCommand render;
+  MergeCommand merge;
   PreviewCommand preview;
   AccuracyCommand accuracy;
   ExplainCommand explain;
@@ -231,6 +276,7 @@ int run(const std::vector<std::string>& arguments) {
   DeviceOptions device;
   Verb chosen;
   add_render(app, render, chosen);
+  add_merge(app, merge, chosen);
   add_preview(app, preview, chosen);
   add_accuracy(app, accuracy, chosen);
   add_explain(app, explain, chosen);
@@ -247,8 +293,8 @@ int run(const std::vector<std::string>& arguments) {
     translated = translate_povray_switches(arguments, ignored);
     for (const std::string& argument : ignored)
       fmt::print(stderr, "nicol: {} says nothing to nicol; ignored\n", argument);
-    render.command_line = fmt::format("nicol {}", fmt::join(arguments, " "));
   }
+  render.command_line = merge.command_line = fmt::format("nicol {}", fmt::join(arguments, " "));
   std::reverse(translated.begin(), translated.end());  // CLI11 takes them last first
   try {
     app.parse(translated);

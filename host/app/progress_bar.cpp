@@ -28,14 +28,25 @@ std::string progress_line(const Progress& progress) {
                      clock_text(progress.seconds_left));
 }
 
+Progress progress_of_frames(const Progress& frame, const FrameOfMany& frames, std::chrono::steady_clock::time_point start) {
+  Progress all = frame;
+  all.fraction = (frames.index + frame.fraction) / frames.count;
+  all.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double rendered = frames.rendered + frame.fraction, ahead = frames.count - frames.index - frame.fraction;
+  all.seconds_left = rendered > 0 ? all.seconds * ahead / rendered : 0;
+  return all;
+}
+
+std::string frames_text(const FrameOfMany& frames) { return fmt::format("frame {} of {} ", frames.index + 1, frames.count); }
+
 ProgressBar::ProgressBar(bool wanted) : active_(wanted && isatty(STDERR_FILENO) == 1) {}
 
-void ProgressBar::show(const Progress& progress) {
+void ProgressBar::show(const Progress& progress, const std::string& before) {
   constexpr double redraw_after_s = 0.1;
   if (!active_ || (drawn_ && progress.seconds < last_seconds_ + redraw_after_s)) return;
   last_seconds_ = progress.seconds;
   drawn_ = true;
-  fmt::print(stderr, "\r\033[K{}", progress_line(progress));
+  fmt::print(stderr, "\r\033[K{}{}", before, progress_line(progress));
   std::fflush(stderr);
 }
 

@@ -3,17 +3,22 @@
 #pragma once
 #include <string>
 
+#include "host/app/render_picture.hpp"
 #include "host/opencl/render.hpp"
 
 namespace nicol::app {
 
 std::string progress_line(const Progress& progress);
 
+// Of all frames: that of the one in work goes with those before it.
+Progress progress_of_frames(const Progress& frame, const FrameOfMany& frames, std::chrono::steady_clock::time_point start);
+std::string frames_text(const FrameOfMany& frames);
+
 class ProgressBar {
  public:
   explicit ProgressBar(bool wanted);
   ~ProgressBar() { clear(); }
-  void show(const Progress& progress);
+  void show(const Progress& progress, const std::string& before = "");
   void clear();
 
  private:

@@ -63,7 +63,9 @@ std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loa
                                                           const RenderCommand& command,
                                                           const RenderReport& report) {
   const Settings& settings = loaded.scene.settings;
-  return {{"scene", command.scene},
+  const FrameClock& clock = command.options.clock;
+  std::vector<std::pair<std::string, std::string>> notes{
+          {"scene", command.scene},
           {"command", command.command_line},
           {"version", fmt::format("nicol {}", version())},
           {"settings",
@@ -79,6 +81,10 @@ std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loa
           {"cutOff",
            fmt::format("mean {:.3g}, worst {:.3g}", report.cut_off_mean, report.cut_off_worst)},
           {"counters", counters_text(report)}};
+  if (clock.final_frame > 0)
+    notes.emplace_back("frame", fmt::format("{} of {} to {}, clock {:g}", clock.frame_number, clock.initial_frame, clock.final_frame,
+                                            clock.clock));
+  return notes;
 }
 
 }  // namespace nicol::app

@@ -165,10 +165,15 @@ void Gather::scatter_run(std::int64_t first, int count, const std::int64_t* pixe
   }
   for (int i = 0; i < count; ++i) {
     const std::size_t pixel = pixel_of(first + i);
+    // The mean of the channels' own values in single precision: pictures of some wavelengths each come to the same.
     double cut_off = 0;
-    for (std::int64_t at : channel_at_)
-      cut_off += static_cast<double>(sums[pixel_at[i] + OUT_CUT_OFF * layout_.lanes + at]);
-    cut_off *= scale / static_cast<double>(channels);
+    for (std::size_t c = 0; c < channels; ++c) {
+      const auto sum = static_cast<double>(sums[pixel_at[i] + OUT_CUT_OFF * layout_.lanes + channel_at_[c]]);
+      const auto own = static_cast<float>(scale * sum);
+      if (!frame_.channel_cut_off.empty()) frame_.channel_cut_off[c * frame_.plane() + pixel] = own;
+      cut_off += static_cast<double>(own);
+    }
+    cut_off /= static_cast<double>(channels);
     float& mean = frame_.cut_off[pixel];
     mean = static_cast<float>(begin_ > 0 ? static_cast<double>(mean) + share * (cut_off - static_cast<double>(mean)) : cut_off);
     note_spread(pixel, sums + pixel_at[i], change2[static_cast<std::size_t>(i)] / static_cast<double>(wavelengths));

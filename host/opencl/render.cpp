@@ -69,6 +69,13 @@ void check_sampling(const PackedScene& scene, const RenderOptions& options) {
     throw std::invalid_argument("a sampling error can be kept only in whole pictures of scenes with path signatures");
 }
 
+// Bytes for a hash.
+template <class Values>
+void put(std::string& data, const Values& values) {
+  data.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
+  data += ';';
+}
+
 }  // namespace
 
 int lanes_on(const Device& device, const KernelOptions& options) {
@@ -92,6 +99,7 @@ Frame render(Device& device, const PackedScene& scene, const std::vector<double>
   check_sampling(scene, options);
   Frame frame = options.pixels.empty() ? make_frame(scene, scene.width, scene.height, lambda_nm, weight_nm)
                                        : make_frame(scene, static_cast<int>(options.pixels.size()), 1, lambda_nm, weight_nm);
+  if (options.channel_cut_off && scene.mixing.empty()) frame.channel_cut_off.resize(lambda_nm.size() * frame.plane());
   try {
     const auto kernel = get_kernel(device, trace_request(device, scene.features, options.kernel));
     report.build = kernel->report;
@@ -106,27 +114,29 @@ Frame render(Device& device, const PackedScene& scene, const std::vector<double>
   return frame;
 }
 
+std::string scene_hash(const PackedScene& scene, const std::vector<double>& lambda_nm) {
+  std::string data;
+  put(data, scene.ints);
+  put(data, scene.reals);
+  put(data, scene.tables);
+  put(data, scene.mixing);
+  put(data, lambda_nm);
+  return hash_text(data);
+}
+
+std::string kernels_hash() { return fmt::format("{}; {}", hash_text(expand_includes("trace.cl")), OUT_COMPONENTS); }
+
 std::string render_identity(const Device& device, const PackedScene& scene, const std::vector<double>& lambda_nm,
                             const RenderOptions& options) {
-  std::string data;
-  const auto put = [&data](const auto& values) {
-    data.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
-    data += ';';
-  };
-  put(scene.ints);
-  put(scene.reals);
-  put(scene.tables);
-  put(scene.mixing);
-  put(lambda_nm);
-  put(options.positions);
-  put(options.pixels);
+  std::string data = scene_hash(scene, lambda_nm);
+  put(data, options.positions);
+  put(data, options.pixels);
   const DeviceInfo& about = info(device);
-  return fmt::format("{} {} x {}, {} channels, features {:#x}{}, {} samples, error {:.17g} by {}; {} {} lanes of {}; kernels {}; {}",
+  return fmt::format("{} {} x {}, {} channels, features {:#x}{}, {} samples, error {:.17g} by {}; {} {} lanes of {}; kernels {}",
                      hash_text(data), scene.width, scene.height, scene.channels, scene.features,
                      options.kernel.generic ? " generic" : "", options.samples, options.sample_error, options.most_samples,
                      fmt::format("{} {} {}", about.name, about.version, about.driver), lanes_on(device, options.kernel),
-                     options.kernel.real_double ? "double" : "float",
-                     hash_text(expand_includes("trace.cl")), OUT_COMPONENTS);
+                     options.kernel.real_double ? "double" : "float", kernels_hash());
 }
 
 BuildReport prepare_kernel(Device& device, std::uint32_t features, const KernelOptions& options) {

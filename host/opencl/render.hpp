@@ -51,6 +51,7 @@ struct RenderOptions {
   double sample_error = 0;
   int most_samples = 4095;                        // of a pixel, then
   std::vector<std::int32_t> pixels;               // only these (row * width + column): the frame is a row of them; empty: all
+  bool channel_cut_off = false;                   // fills Frame::channel_cut_off, if wavelengths do not share channels; not with sample_error
   double tile_seconds = 0.03;
   // Where finished tiles are kept and found again; tiles of the first seconds are not worth it. Null: nowhere.
   Journal* journal = nullptr;
@@ -97,6 +98,10 @@ std::uint32_t path_signatures_bit();
 // All that decides the bits of that picture, for its journal.
 std::string render_identity(const Device& device, const PackedScene& scene, const std::vector<double>& lambda_nm,
                             const RenderOptions& options);
+
+// The same for a picture whatever device renders it: of a scene (packed for one lane) and its wavelengths, and of the kernels' text.
+std::string scene_hash(const PackedScene& scene, const std::vector<double>& lambda_nm);
+std::string kernels_hash();
 
 // Builds (or loads) the kernel that this scene needs, without rendering. Pictures with kernels that are here go on meanwhile on
 // other threads; who wants the same kernel waits for it, and it is built once. Keeping its binary waits for the picture in work.

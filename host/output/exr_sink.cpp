@@ -37,15 +37,6 @@ class ExrStream : public Imf::OStream {
   AtomicFile& file_;
 };
 
-// No printf of a double: its decimal sign would follow the locale.
-std::string channel_name(int component, double lambda_nm) {
-  const long long femtometres = std::llround(lambda_nm * 1e6);
-  char name[64];
-  std::snprintf(name, sizeof name, "S%d.%lld,%06lldnm", component, femtometres / 1000000,
-                femtometres % 1000000);
-  return name;
-}
-
 // An attribute's name keeps letters, digits and a few signs, so that every tool can show it.
 std::string attribute_name(const std::string& key) {
   std::string name = "nicol:" + key;
@@ -58,14 +49,16 @@ class Layout {
  public:
   Layout(const Frame& frame, const std::vector<float>& rgb, ExrPacking packing)
       : width_(static_cast<std::size_t>(frame.width)), header_(frame.width, frame.height) {
-    header_.compression() = packing == ExrPacking::piz ? Imf::PIZ_COMPRESSION : Imf::NO_COMPRESSION;
+    // Parts are full of holes: wavelets spread them, ZIP makes them nearly nothing.
+    const bool holes = std::any_of(frame.planes.begin(), frame.planes.end(), [](const auto& named) { return named.first == "weight"; });
+    header_.compression() = packing == ExrPacking::none ? Imf::NO_COMPRESSION : holes ? Imf::ZIP_COMPRESSION : Imf::PIZ_COMPRESSION;
     for (int k = 0; k < 3; ++k) add(std::string(1, "RGB"[k]), rgb.data() + k, 3);
     if (!frame.cut_off.empty()) add("cutoff", frame.cut_off.data(), 1);
     if (!frame.sample_error.empty()) add("error.sampling", frame.sample_error.data(), 1);
     for (const auto& [name, plane] : frame.planes) add(name, plane.data(), 1);
     for (int s = 0; s < 4; ++s)
       for (std::size_t i = 0; i < frame.lambda_nm.size(); ++i)
-        add(channel_name(s, frame.lambda_nm[i]), frame.component(s, i), 1);
+        add(channel_name("S" + std::to_string(s), frame.lambda_nm[i]), frame.component(s, i), 1);
     describe(frame);
   }
   const Imf::Header& header() const { return header_; }
@@ -131,6 +124,14 @@ class ExrSink : public FrameSink {
 };
 
 }  // namespace
+
+// No printf of a double: its decimal sign would follow the locale.
+std::string channel_name(const std::string& quantity, double lambda_nm) {
+  const long long femtometres = std::llround(lambda_nm * 1e6);
+  char name[48];
+  std::snprintf(name, sizeof name, ".%lld,%06lldnm", femtometres / 1000000, femtometres % 1000000);
+  return quantity + name;
+}
 
 std::unique_ptr<FrameSink> make_exr_sink(const std::string& path, ExrPacking packing) {
   return std::make_unique<ExrSink>(path, packing);

@@ -18,6 +18,8 @@ struct Frame {
   std::vector<double> weight_nm;
   ZeroedFloats stokes;          // [component 0..3][wavelength][row from the top][column]
   std::vector<float> cut_off;   // [row][column]: weight of the paths cut off, relative to a full path
+  // [wavelength][row][column]: of each wavelength alone, cut_off being their mean; only where it was asked for and each is traced by itself
+  std::vector<float> channel_cut_off;
   std::vector<std::uint32_t> samples;  // [row][column]: that each pixel got; empty: all alike
   // [row][column]: estimated error of pixel sampling, RMS over wavelengths of the Stokes vector's, in units of radiance; empty: not known
   std::vector<float> sample_error;
@@ -37,6 +39,11 @@ struct Frame {
 
 // What the user must hear: the message is complete ("cannot write out.exr: No space left on device").
 struct OutputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Likewise of a picture that is read ("cannot read a.exr: ...").
+struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

@@ -14,6 +14,9 @@ std::unique_ptr<FrameSink> make_exr_sink(const std::string& path,
                                          ExrPacking packing = ExrPacking::piz);
 std::unique_ptr<FrameSink> make_png_sink(const std::string& path);
 
+// "S0.580,000000nm" of "S0" and 580.
+std::string channel_name(const std::string& quantity, double lambda_nm);
+
 // Frame::how and, if rows are missing, {"partial", "N of M rows"}: what both formats tell of the
 // making.
 std::vector<std::pair<std::string, std::string>> notes_of(const Frame& frame);

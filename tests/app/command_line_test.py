@@ -153,7 +153,8 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(read_png(self.folder / "a.png"), (24, 18))
         self.assertIn("+A0.3", result.stderr)
-        self.assert_refused(self.nicol("render", f"+I{SCENE}", "+SF1", "+Ob.png"), "+SF1")
+        self.assert_refused(self.nicol("render", f"+I{SCENE}", "+SF1", "+Ob.png"), "+KFF")
+        self.assert_refused(self.nicol("render", f"+I{SCENE}", "+KX1", "+Ob.png"), "+KX1")
 
     def test_declare_reaches_the_scene(self):
         def header(sky, name):
