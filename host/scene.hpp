@@ -56,14 +56,25 @@ struct Medium {
   const OpticFrame& frame_at(std::size_t i) const { return frame[frame.size() == 1 ? 0 : i]; }
 };
 
+// ---- fragments: optics of surfaces and polarizing elements that plugins bring as OpenCL C ----
+// One use of a fragment: the same fragment with other values of its parameters is another one.
+struct FragmentUse {
+  std::string name;            // of the fragment, as its manifest says
+  std::string file, text;      // where its source lies, and the source
+  std::vector<double> values;  // of its parameters, in the manifest's order and units
+  Location where;              // the scene's `plugin` block
+};
+
 // ---- polarizers ----
 struct Polarizer {
   enum class Kind {
     ideal,             // passes the projection of its transmission axis on the plane across the ray
     ideal_absorbing,   // absorbs the projection of its absorption axis (Korger 2013), passes the rest
-    calcite            // the founding paper's plate: ordinary ray only, Fresnel at both faces
+    calcite,           // the founding paper's plate: ordinary ray only, Fresnel at both faces
+    fragment           // what a plugin's fragment says
   };
   Kind kind = Kind::ideal;
+  int fragment = -1;       // of that kind: index into Scene::fragments
   Vec3 transmission_axis;  // unit, in the polarizer's plane; the optic axis of calcite lies across it
   Vec3 normal;             // unit, of the polarizer's plane
   Samples n_o, n_e;        // calcite only
@@ -121,6 +132,10 @@ struct FaceEmission {
   int face = 0;       // index into ConvexShape::faces
   int emission = 0;   // index into Scene::emissions
 };
+struct FaceSurface {
+  int face = -1;      // index into ConvexShape::faces; -1: every face
+  int fragment = 0;   // index into Scene::fragments
+};
 struct Object {
   std::string kind;   // "box", "prism", ...
   Location where;
@@ -130,6 +145,7 @@ struct Object {
   std::optional<int> emission;     // sheets that shine
   std::optional<int> polarizer;    // sheets that polarize
   std::vector<FaceEmission> face_emissions;
+  std::vector<FaceSurface> face_surfaces;  // later ones count
   bool optical_contact = false;    // touches its neighbours without a gap
 };
 
@@ -188,6 +204,7 @@ struct Scene {
   std::vector<double> weight_nm;     // width that each wavelength stands for in integrals
   Camera camera;
   std::vector<Medium> media;         // media[0] is the surroundings (vacuum unless said)
+  std::vector<FragmentUse> fragments;
   std::vector<Polarizer> polarizers;
   std::vector<Emission> emissions;
   Samples sky;                       // radiance of the uniform surroundings

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "host/accuracy/knobs.hpp"
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 
 namespace nicol::app {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "host/app/commands.hpp"
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 #include "host/bind/bind.hpp"
 
 namespace nicol::app {
@@ -25,7 +25,5 @@ int words_command() {
   fmt::print("{}", vocabulary());
   return exit_done;
 }
-
-const char* version() { return NICOL_VERSION; }
 
 }  // namespace nicol::app

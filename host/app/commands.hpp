@@ -2,54 +2,16 @@
 // Each answers the exit code: 0 done, 1 error, 2 interrupted.
 #pragma once
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "host/engine/options.hpp"
+
 namespace nicol::app {
 
+using namespace engine;
+
 inline constexpr int exit_done = 0, exit_error = 1, exit_interrupted = 2;
-
-// What the user did wrong, told in full.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-// Where in an animation a picture stands, as the scene sees it.
-struct FrameClock {
-  double clock = 0, clock_delta = 0, initial_clock = 0, final_clock = 0;
-  int frame_number = 0, initial_frame = 0, final_frame = 0;
-};
-
-// What may be said of a scene beside its text.
-struct SceneOptions {
-  int width = 512, height = 512;
-  std::vector<std::string> library_paths;
-  std::vector<std::string> declares;  // name=value
-  std::string wavelengths;  // from:to:step in nm, or a list with commas; empty: the scene's
-  std::optional<int> samples;
-  std::optional<double> error, sample_error;  // see Settings
-  std::optional<int> max_trace_level;
-  std::optional<double> adc_bailout;
-  std::string polarization;  // on, off; empty: the scene's
-  FrameClock clock;
-};
-
-struct DeviceOptions {
-  std::string device;  // index or part of the name; empty: the default
-  std::string real = "float";
-  int lanes = 0;
-  bool generic = false;
-  bool no_cache = false;
-};
-
-// "0.1%" or "0.001": greater than 0, less than 1. UsageError otherwise.
-double parse_relative_error(const std::string& text);
-
-// POV-Ray's partial output: numbers above 1 are pixels, from 1 on and inclusive, those up to 1 parts of the picture.
-struct WindowOptions {
-  std::optional<double> start_row, end_row, start_column, end_column;
-};
 
 // POV-Ray's animation options. Frames, if final_frame is given.
 struct AnimationOptions {
@@ -62,20 +24,9 @@ struct AnimationOptions {
   double frames_per_second = 25;
 };
 
-struct RenderCommand {
-  std::string scene;
-  std::vector<std::string> outputs;  // empty: the scene's name with .png, in the working directory
-  SceneOptions options;
-  DeviceOptions device;
+struct RenderCommand : PictureOptions {
   bool quiet = false;
-  bool resume = false;      // --continue: from the tiles that an unfinished run has kept
-  bool no_budget = false;
-  std::string part;             // i/n: this share of the picture's pixels; "": all
-  std::string wavelength_part;  // a..b in nm: those of the scene's wavelengths; "": all
-  WindowOptions window;
   AnimationOptions animation;
-  std::string error_map;    // "": none
-  std::string command_line;  // for the picture's header
 };
 
 struct MergeCommand {
@@ -113,7 +64,5 @@ int expect_command(const ExpectCommand& command);
 int devices_command();
 int probe_command(const DeviceOptions& options);
 int words_command();
-
-const char* version();
 
 }  // namespace nicol::app

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "host/app/commands.hpp"
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 #include "host/opencl/probe.hpp"
 
 namespace nicol::app {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 
 namespace nicol::app {
 

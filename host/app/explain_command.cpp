@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "host/app/commands.hpp"
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 #include "host/app/media_table.hpp"
 
 namespace nicol::app {

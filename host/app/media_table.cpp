@@ -16,7 +16,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 #include "host/bind/bind.hpp"
 #include "host/optics/crystal.hpp"
 

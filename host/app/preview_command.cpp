@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <mutex>
 
-#include "host/app/kept_error.hpp"
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/kept_error.hpp"
+#include "host/engine/loaded_scene.hpp"
 #include "host/effects.hpp"
 
 namespace nicol::app {

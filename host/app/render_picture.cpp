@@ -9,13 +9,13 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "host/app/error_budget.hpp"
+#include "host/engine/error_budget.hpp"
 #include "host/app/interrupt.hpp"
-#include "host/app/kept_error.hpp"
-#include "host/app/loaded_scene.hpp"
-#include "host/app/picture_share.hpp"
+#include "host/engine/kept_error.hpp"
+#include "host/engine/loaded_scene.hpp"
+#include "host/engine/picture_share.hpp"
 #include "host/app/progress_bar.hpp"
-#include "host/app/render_summary.hpp"
+#include "host/engine/render_summary.hpp"
 #include "host/output/error_map.hpp"
 #include "host/output/journal.hpp"
 #include "host/pack.hpp"

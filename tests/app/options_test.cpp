@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "host/app/expectations.hpp"
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 #include "host/app/povray_switches.hpp"
 #include "host/app/progress_bar.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "host/app/animation.hpp"
 #include "host/app/film.hpp"
-#include "host/app/picture_share.hpp"
+#include "host/engine/picture_share.hpp"
 #include "host/app/povray_switches.hpp"
 #include "host/opencl/gather.hpp"
 

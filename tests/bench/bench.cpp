@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 #include "host/pack.hpp"
 #include "kernels/abi.h"
 #include "tests/bench/native.hpp"
@@ -17,7 +17,7 @@
 namespace nicol::bench {
 namespace {
 
-using app::LoadedScene;
+using engine::LoadedScene;
 
 struct Settings {
   std::string scene = NICOL_SOURCE_DIR "/scenes/founding/fig5_active.pov";
@@ -151,10 +151,10 @@ int bench_media(Device& device, const Settings& settings) {
   std::vector<std::unique_ptr<LoadedScene>> scenes;
   std::vector<Variant> variants;
   for (const Kind& kind : kinds) {
-    app::SceneOptions options;
+    engine::SceneOptions options;
     options.width = options.height = settings.size;
     options.declares = {fmt::format("Kind={}", kind.number), fmt::format("Coherent={}", kind.coherent ? 1 : 0)};
-    scenes.push_back(app::load_scene(NICOL_SOURCE_DIR "/tests/bench/media.pov", options));
+    scenes.push_back(engine::load_scene(NICOL_SOURCE_DIR "/tests/bench/media.pov", options));
     if (!scenes.back()) return 1;
     variants.push_back(device_variant(kind.name, device, *scenes.back(), scenes.back()->features.mask, settings, {}));
   }
@@ -201,9 +201,9 @@ void bench_builds(const LoadedScene& loaded, const Settings& settings) {
 }
 
 int run(const Settings& settings) {
-  app::SceneOptions options;
+  engine::SceneOptions options;
   options.width = options.height = settings.size;
-  const auto loaded = app::load_scene(settings.scene, options);
+  const auto loaded = engine::load_scene(settings.scene, options);
   if (!loaded) return 1;
   if (settings.cold_build) {
     bench_cold_build(*loaded);

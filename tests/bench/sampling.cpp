@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "host/accuracy/picture_error.hpp"
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 #include "host/pack.hpp"
 
 namespace nicol::bench {
@@ -39,10 +39,10 @@ double cpu_seconds() {
 class Sampler {
  public:
   Sampler(const std::string& scene, int size) : size_(size) {
-    app::SceneOptions options;
+    engine::SceneOptions options;
     options.width = options.height = size;
     options.wavelengths = "380:771:17";
-    loaded_ = app::load_scene(scene, options);
+    loaded_ = engine::load_scene(scene, options);
     if (!loaded_) throw std::runtime_error(scene + " does not load");
     device_ = open_device("");
   }
@@ -69,7 +69,7 @@ class Sampler {
 
  private:
   int size_;
-  std::unique_ptr<app::LoadedScene> loaded_;
+  std::unique_ptr<engine::LoadedScene> loaded_;
   std::shared_ptr<Device> device_;
 };
 

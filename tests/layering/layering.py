@@ -25,7 +25,7 @@ LIBRARIES = [
 
 # What the parser knows beyond places and diagnostics belongs to those who read trees.
 SDL_FOR_ALL = {"sdl/diagnostics.hpp", "sdl/tree.hpp"}  # tree.hpp holds Location
-SDL_READERS = ("host/bind/", "host/app/")
+SDL_READERS = ("host/bind/", "host/engine/", "host/app/")
 TREE_WORDS = r"\bsdl::(Block|BlockPtr|Item|Word|Vector|Document|print)\b"
 
 # The modules of host that a module may include beside itself; "" stands for the headers in host/ itself.
@@ -41,7 +41,8 @@ HOST_MODULES = {
     "record": {"", "solids"},
     "preview": {"", "output", "opencl", "optics", "solids", "accuracy", "record"},
     "window": {"", "output", "optics", "opencl", "preview", "record"},
-    "app": {"", "optics", "bind", "solids", "output", "accuracy", "opencl", "preview", "window"},
+    "engine": {"", "optics", "bind", "solids", "output", "accuracy", "opencl"},
+    "app": {"", "optics", "bind", "solids", "output", "accuracy", "opencl", "engine", "preview", "window"},
 }
 
 OPTICS_WORDS = (

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "host/accuracy/picture_error.hpp"
-#include "host/app/kept_error.hpp"
+#include "host/engine/kept_error.hpp"
 #include "host/features.hpp"
 #include "tests/render/pictures.hpp"
 
@@ -14,14 +14,14 @@ namespace {
 
 constexpr int size = 32;
 
-app::RenderCommand command_for(const std::string& scene) {
-  app::RenderCommand command;
+engine::PictureOptions command_for(const std::string& scene) {
+  engine::PictureOptions command;
   command.scene = NICOL_TEST_FOLDER "/../../scenes/" + scene;
   command.options.width = command.options.height = size;
   return command;
 }
 
-Frame draw(const app::LoadedScene& loaded, Device& device, bool real_double, int samples, RenderReport& report) {
+Frame draw(const engine::LoadedScene& loaded, Device& device, bool real_double, int samples, RenderReport& report) {
   RenderOptions options;
   options.kernel.real_double = real_double;
   options.samples = samples;
@@ -35,9 +35,9 @@ Frame draw(const app::LoadedScene& loaded, Device& device, bool real_double, int
 
 // Double, fine steps of wavelength, deep, many samples.
 Frame converged(const std::string& scene, const std::string& wavelengths, Device& device) {
-  app::RenderCommand command = command_for(scene);
+  engine::PictureOptions command = command_for(scene);
   command.options.wavelengths = wavelengths;
-  const auto loaded = app::load_scene(command.scene, command.options);
+  const auto loaded = engine::load_scene(command.scene, command.options);
   REQUIRE(loaded);
   loaded->scene.settings.adc_bailout = 1e-7;
   loaded->scene.settings.max_trace_level = 256;
@@ -57,11 +57,11 @@ TEST_CASE("an error that is asked for is kept against the converged picture") {
     CAPTURE(c.scene);
     const Frame reference = converged(c.scene, c.fine, *device);
     for (const double error : {0.05, 0.01}) {
-      app::RenderCommand command = command_for(c.scene);
-      auto loaded = app::load_scene(command.scene, command.options);
+      engine::PictureOptions command = command_for(c.scene);
+      auto loaded = engine::load_scene(command.scene, command.options);
       REQUIRE(loaded);
       const std::atomic<bool> cancel{false};
-      const auto chosen = app::choose_settings(loaded, command, *device, error, cancel);
+      const auto chosen = engine::choose_settings(loaded, command, *device, error, cancel);
       CHECK(chosen.reachable);
       CHECK(!chosen.real_double);
       RenderReport report;
@@ -78,10 +78,10 @@ TEST_CASE("an error that is asked for is kept against the converged picture") {
 TEST_CASE("what float cannot keep moves to double") {
   const auto device = open_device("");
   if (!info(*device).has_fp64) return;
-  app::RenderCommand command = command_for("founding/fig7_camera2.pov");
-  auto loaded = app::load_scene(command.scene, command.options);
+  engine::PictureOptions command = command_for("founding/fig7_camera2.pov");
+  auto loaded = engine::load_scene(command.scene, command.options);
   REQUIRE(loaded);
   const std::atomic<bool> cancel{false};
-  const auto chosen = app::choose_settings(loaded, command, *device, 1e-5, cancel);
+  const auto chosen = engine::choose_settings(loaded, command, *device, 1e-5, cancel);
   CHECK(chosen.real_double);
 }

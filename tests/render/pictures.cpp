@@ -9,21 +9,21 @@
 namespace nicol::test {
 
 Setup load_gallery(const std::string& file, const std::string& wavelengths) {
-  app::SceneOptions options;
+  engine::SceneOptions options;
   options.width = options.height = 64;
   options.wavelengths = wavelengths;
   Setup setup;
-  setup.loaded = app::load_scene(NICOL_TEST_FOLDER "/../../scenes/" + file, options);
+  setup.loaded = engine::load_scene(NICOL_TEST_FOLDER "/../../scenes/" + file, options);
   if (!setup.loaded) throw std::runtime_error(file + " does not load");
   setup.device = open_device("");
   return setup;
 }
 
 Setup load(const std::string& file) {
-  app::SceneOptions options;
+  engine::SceneOptions options;
   options.width = options.height = 16;
   Setup setup;
-  setup.loaded = app::load_scene(NICOL_TEST_FOLDER "/" + file, options);
+  setup.loaded = engine::load_scene(NICOL_TEST_FOLDER "/" + file, options);
   if (!setup.loaded) throw std::runtime_error(file + " does not load");
   setup.device = open_device("");
   return setup;

@@ -3,12 +3,12 @@
 #include <memory>
 #include <string>
 
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 
 namespace nicol::test {
 
 struct Setup {
-  std::unique_ptr<app::LoadedScene> loaded;
+  std::unique_ptr<engine::LoadedScene> loaded;
   std::shared_ptr<Device> device;
 };
 // Throws if the scene of this folder does not load.

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 #include "host/app/preview_command.hpp"
 #include "host/output/frame.hpp"
 #include "host/preview/session.hpp"
@@ -112,7 +112,7 @@ TEST_CASE("the picture of a session is that of a render") {
   CHECK(status.passes == 5);
   CHECK(std::isfinite(status.sample_error));
 
-  std::unique_ptr<app::LoadedScene> loaded = app::load_scene(command.scene, command.options);
+  std::unique_ptr<engine::LoadedScene> loaded = engine::load_scene(command.scene, command.options);
   REQUIRE(loaded);
   const auto device = open_device("");
   RenderOptions options;
@@ -260,7 +260,7 @@ TEST_CASE("changes of the right pane that cannot be understood are told") {
   for (const char* wrong : {"without colour", "error 200%", "Declare=Activity", "samples=0", "wavelengths=700:400:10", "sideways"}) {
     command.right = {wrong};
     CAPTURE(wrong);
-    CHECK_THROWS_AS(app::preview_session(command), app::UsageError);
+    CHECK_THROWS_AS(app::preview_session(command), engine::UsageError);
   }
 }
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 #include "host/output/part.hpp"
 #include "host/pack.hpp"
 
-namespace nicol::app {
+namespace nicol::engine {
 
 struct PictureShare {
   std::vector<std::int32_t> pixels;  // row * width + column, ascending; empty: all
@@ -20,7 +20,7 @@ struct PictureShare {
 
 // Of the command's options. UsageError where they make no sense, or come with what needs a whole picture (the error targets of the
 // command, an error map, a .png of a dealt share or of some wavelengths).
-PictureShare choose_share(const RenderCommand& command, const std::vector<std::string>& outputs, const Scene& scene);
+PictureShare choose_share(const PictureOptions& command, const std::vector<std::string>& outputs, const Scene& scene);
 
 // What has to be rendered for a share. Waves are followed heaviest first, by what lanes hold together, and sums are formed in that order: their last bits
 // depend on all lanes. So lanes hold what they hold in the whole picture, and what is not wanted of that is left out afterwards.
@@ -38,6 +38,6 @@ std::array<int, 2> parse_share(const std::string& text);
 std::array<double, 2> parse_wavelength_part(const std::string& text);
 
 // What all parts of this picture must have in common.
-WholePicture whole_picture(const LoadedScene& loaded, const RenderCommand& command);
+WholePicture whole_picture(const LoadedScene& loaded, const PictureOptions& command);
 
-}  // namespace nicol::app
+}  // namespace nicol::engine

@@ -9,7 +9,7 @@
 #include "host/scene.hpp"
 #include "host/solids/solids.hpp"
 
-namespace nicol::app {
+namespace nicol::engine {
 
 // What is done otherwise than in the picture.
 struct Variant {
@@ -48,4 +48,4 @@ class SpotCheck {
 // `count` pixels of the picture, ascending, no two alike; spread by the R2 sequence of samples.hpp.
 std::vector<std::int32_t> spread_pixels(int width, int height, int count);
 
-}  // namespace nicol::app
+}  // namespace nicol::engine

@@ -1,4 +1,4 @@
-#include "host/app/error_budget.hpp"
+#include "host/engine/error_budget.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <iterator>
 
 #include "host/accuracy/picture_error.hpp"
-#include "host/app/spot_check.hpp"
+#include "host/engine/spot_check.hpp"
 
-namespace nicol::app {
+namespace nicol::engine {
 namespace {
 
 constexpr int most_pixels = 4096, least_pixels = 64;
@@ -235,4 +235,4 @@ std::vector<std::pair<std::string, std::string>> budget_notes(const ErrorBudget&
   return notes;
 }
 
-}  // namespace nicol::app
+}  // namespace nicol::engine

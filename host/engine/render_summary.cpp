@@ -1,11 +1,11 @@
 // See render_summary.hpp.
-#include "host/app/render_summary.hpp"
+#include "host/engine/render_summary.hpp"
 
 #include <fmt/format.h>
 
 #include <iterator>
 
-namespace nicol::app {
+namespace nicol::engine {
 namespace {
 
 std::string build_text(const BuildReport& build) {
@@ -26,6 +26,8 @@ std::string counters_text(const RenderReport& report) {
 }
 
 }  // namespace
+
+const char* version() { return NICOL_VERSION; }
 
 std::string summary_text(const Frame& frame, const RenderReport& report) {
   std::string text;
@@ -60,7 +62,7 @@ std::string counter_warnings(const RenderReport& report) {
 }
 
 std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loaded,
-                                                          const RenderCommand& command,
+                                                          const PictureOptions& command,
                                                           const RenderReport& report) {
   const Settings& settings = loaded.scene.settings;
   const FrameClock& clock = command.options.clock;
@@ -87,4 +89,4 @@ std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loa
   return notes;
 }
 
-}  // namespace nicol::app
+}  // namespace nicol::engine

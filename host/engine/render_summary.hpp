@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 #include "host/opencl/render.hpp"
 #include "host/output/frame.hpp"
 
-namespace nicol::app {
+namespace nicol::engine {
 
 std::string summary_text(const Frame& frame, const RenderReport& report);
 
@@ -16,7 +16,7 @@ std::string summary_text(const Frame& frame, const RenderReport& report);
 std::string counter_warnings(const RenderReport& report);
 
 std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loaded,
-                                                          const RenderCommand& command,
+                                                          const PictureOptions& command,
                                                           const RenderReport& report);
 
-}  // namespace nicol::app
+}  // namespace nicol::engine

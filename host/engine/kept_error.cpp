@@ -1,13 +1,13 @@
-#include "host/app/kept_error.hpp"
+#include "host/engine/kept_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "host/app/spot_check.hpp"
+#include "host/engine/spot_check.hpp"
 
-namespace nicol::app {
+namespace nicol::engine {
 namespace {
 
 constexpr double of_sampling = 0.7, of_step = 0.45, of_cut_off = 0.35, of_rounding = 0.3;
@@ -18,7 +18,7 @@ constexpr double coarsest_adc = 1e-2, finest_adc = 1e-9;
 
 class Choice {
  public:
-  Choice(std::unique_ptr<LoadedScene>& loaded, const RenderCommand& command, Device& device, double error,
+  Choice(std::unique_ptr<LoadedScene>& loaded, const PictureOptions& command, Device& device, double error,
          const std::atomic<bool>& cancel)
       : loaded_(loaded), command_(command), device_(device), error_(error), cancel_(cancel),
         kernel_(kernel_options(command.device)) {
@@ -137,7 +137,7 @@ class Choice {
   }
 
   std::unique_ptr<LoadedScene>& loaded_;
-  const RenderCommand& command_;
+  const PictureOptions& command_;
   Device& device_;
   double error_;
   const std::atomic<bool>& cancel_;
@@ -147,9 +147,9 @@ class Choice {
 
 }  // namespace
 
-ChosenSettings choose_settings(std::unique_ptr<LoadedScene>& loaded, const RenderCommand& command, Device& device,
+ChosenSettings choose_settings(std::unique_ptr<LoadedScene>& loaded, const PictureOptions& command, Device& device,
                                double error, const std::atomic<bool>& cancel) {
   return Choice(loaded, command, device, error, cancel).run();
 }
 
-}  // namespace nicol::app
+}  // namespace nicol::engine

@@ -3,14 +3,14 @@
 #include <memory>
 #include <string>
 
-#include "host/app/commands.hpp"
+#include "host/engine/options.hpp"
 #include "host/features.hpp"
 #include "host/opencl/render.hpp"
 #include "host/scene.hpp"
 #include "host/solids/solids.hpp"
 #include "sdl/parse.hpp"
 
-namespace nicol::app {
+namespace nicol::engine {
 
 struct LoadedScene {
   sdl::Result parsed;  // holds the sources that Locations point into
@@ -51,4 +51,4 @@ std::shared_ptr<Device> open_wanted_device(const DeviceOptions& options);
 // from:to:step or a list with commas, nm, ascending.
 std::vector<double> parse_wavelengths(const std::string& text);
 
-}  // namespace nicol::app
+}  // namespace nicol::engine

@@ -1,11 +1,11 @@
-#include "host/app/spot_check.hpp"
+#include "host/engine/spot_check.hpp"
 
 #include <algorithm>
 
 #include "host/opencl/samples.hpp"
 #include "host/pack.hpp"
 
-namespace nicol::app {
+namespace nicol::engine {
 
 std::vector<std::int32_t> spread_pixels(int width, int height, int count) {
   const std::int64_t plane = static_cast<std::int64_t>(width) * height;
@@ -46,4 +46,4 @@ SpotPicture SpotCheck::render(const Variant& variant) const {
   return picture;
 }
 
-}  // namespace nicol::app
+}  // namespace nicol::engine

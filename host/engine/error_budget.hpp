@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 #include "host/channels.hpp"
 #include "host/output/frame.hpp"
 
-namespace nicol::app {
+namespace nicol::engine {
 
 struct BudgetLine {
   std::string source;  // "cut-off", "spectral step", ...
@@ -35,4 +35,4 @@ std::string budget_text(const ErrorBudget& budget);
 // For the header: name and words of each line.
 std::vector<std::pair<std::string, std::string>> budget_notes(const ErrorBudget& budget);
 
-}  // namespace nicol::app
+}  // namespace nicol::engine

@@ -1,5 +1,5 @@
 // See loaded_scene.hpp.
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "host/crystal_rows.hpp"
 #include "kernels/waves_kinds.h"
 
-namespace nicol::app {
+namespace nicol::engine {
 namespace {
 
 double parse_number(std::string_view text, const std::string& whole) {
@@ -204,4 +204,4 @@ std::shared_ptr<Device> open_wanted_device(const DeviceOptions& options) {
   return device;
 }
 
-}  // namespace nicol::app
+}  // namespace nicol::engine

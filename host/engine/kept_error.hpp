@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "host/app/loaded_scene.hpp"
+#include "host/engine/loaded_scene.hpp"
 
-namespace nicol::app {
+namespace nicol::engine {
 
 struct ChosenSettings {
   bool real_double = false;
@@ -19,7 +19,7 @@ struct ChosenSettings {
 // the scene's settings; reads the scene anew where it needs more wavelengths, unless the command names them. Never takes
 // fewer than the scene has: each is part of the picture. Depth goes with the cut-off. Sampling gets 0.7 of the error, the step of wavelength 0.45, the cut-off 0.35,
 // rounding 0.3: together 0.95.
-ChosenSettings choose_settings(std::unique_ptr<LoadedScene>& loaded, const RenderCommand& command, Device& device,
+ChosenSettings choose_settings(std::unique_ptr<LoadedScene>& loaded, const PictureOptions& command, Device& device,
                                double error, const std::atomic<bool>& cancel);
 
-}  // namespace nicol::app
+}  // namespace nicol::engine

@@ -1,5 +1,5 @@
 // See picture_share.hpp.
-#include "host/app/picture_share.hpp"
+#include "host/engine/picture_share.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "host/opencl/gather.hpp"
 
-namespace nicol::app {
+namespace nicol::engine {
 namespace {
 
 // All of the text, or nothing.
@@ -30,7 +30,7 @@ bool is_png(const std::string& path) {
 }
 
 // What needs a whole picture, and why.
-void refuse_with_part(const RenderCommand& command, const std::vector<std::string>& outputs, const Scene& scene, const PictureShare& share) {
+void refuse_with_part(const PictureOptions& command, const std::vector<std::string>& outputs, const Scene& scene, const PictureShare& share) {
   const auto refuse = [&](const std::string& what, const std::string& why) {
     throw UsageError(fmt::format("{} does not go with a part of a picture ({}): {}", what, share.name, why));
   };
@@ -48,7 +48,7 @@ void refuse_with_part(const RenderCommand& command, const std::vector<std::strin
 
 std::string range_text(const char* what, PixelRange range) { return fmt::format("{} {}..{}", what, range.first + 1, range.last + 1); }
 
-void choose_pixels(const RenderCommand& command, PictureShare& share, std::vector<std::string>& names) {
+void choose_pixels(const PictureOptions& command, PictureShare& share, std::vector<std::string>& names) {
   const int width = command.options.width, height = command.options.height;
   if (!command.part.empty()) {
     const auto [i, n] = parse_share(command.part);
@@ -75,7 +75,7 @@ void choose_pixels(const RenderCommand& command, PictureShare& share, std::vecto
   names.push_back(range_text("rows", rows) + ", " + range_text("columns", columns));
 }
 
-void choose_wavelengths(const RenderCommand& command, const Scene& scene, PictureShare& share, std::vector<std::string>& names) {
+void choose_wavelengths(const PictureOptions& command, const Scene& scene, PictureShare& share, std::vector<std::string>& names) {
   if (command.wavelength_part.empty()) return;
   const auto [from_nm, to_nm] = parse_wavelength_part(command.wavelength_part);
   const auto first = std::lower_bound(scene.lambda_nm.begin(), scene.lambda_nm.end(), from_nm);
@@ -121,7 +121,7 @@ PixelRange pixel_range(std::optional<double> start, std::optional<double> end, i
   return range;
 }
 
-PictureShare choose_share(const RenderCommand& command, const std::vector<std::string>& outputs, const Scene& scene) {
+PictureShare choose_share(const PictureOptions& command, const std::vector<std::string>& outputs, const Scene& scene) {
   PictureShare share;
   std::vector<std::string> names;
   choose_pixels(command, share, names);
@@ -152,7 +152,7 @@ PictureShare whole_lanes(const PictureShare& share, const PackedScene& whole, st
   return wide;
 }
 
-WholePicture whole_picture(const LoadedScene& loaded, const RenderCommand& command) {
+WholePicture whole_picture(const LoadedScene& loaded, const PictureOptions& command) {
   const Scene& scene = loaded.scene;
   const Settings& settings = scene.settings;
   WholePicture whole;
@@ -175,4 +175,4 @@ WholePicture whole_picture(const LoadedScene& loaded, const RenderCommand& comma
   return whole;
 }
 
-}  // namespace nicol::app
+}  // namespace nicol::engine
