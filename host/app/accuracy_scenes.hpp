@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "host/accuracy/knobs.hpp"
+#include "host/app/commands.hpp"
 #include "host/engine/loaded_scene.hpp"
 
 namespace nicol::app {

@@ -6,6 +6,7 @@
 
 #include "host/accuracy/measurements.hpp"
 #include "host/app/accuracy_command.hpp"
+#include "host/app/commands.hpp"
 #include "host/engine/loaded_scene.hpp"
 
 namespace nicol::app {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "host/app/commands.hpp"
 #include "host/engine/loaded_scene.hpp"
 
 namespace nicol::app {
