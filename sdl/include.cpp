@@ -1,4 +1,4 @@
-// #include: from the working directory, the library paths, and last the scene's own folder.
+// #include: a text handed in, else a file from the working directory, the library paths, and last the scene's own folder.
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -55,6 +55,29 @@ TokenFilePtr Parser::load(const std::string& path, const std::string& shown, std
   return take_text(shown, text.str());
 }
 
+TokenFilePtr Parser::file_of(const std::string& name, std::string& why) {
+  const std::string path = name.size() < 4096 ? resolve(name) : "";
+  why = "Cannot find file '" + name + "', even after trying to append file type extension.";
+  const auto known = files_.find(path);
+  if (known != files_.end()) return known->second;
+  TokenFilePtr tokens = path.empty() ? nullptr : load(path, path, why);
+  if (tokens) files_[path] = tokens;
+  return tokens;
+}
+
+TokenFilePtr Parser::handed_in(const std::string& name, std::string& why) {
+  if (!options_.include) return nullptr;
+  const std::string key = '\0' + name;  // no path has a zero
+  const auto known = files_.find(key);
+  if (known != files_.end()) return known->second;
+  std::optional<std::string> text = options_.include(name);
+  if (text && text->size() > options_.limits.file_bytes) {
+    why = "it is too large";
+    return nullptr;
+  }
+  return files_[key] = text ? take_text(name, std::move(*text)) : nullptr;
+}
+
 void Parser::include_directive(const Token& token) {
   const std::string name = raw_string();
   int files = 0;
@@ -62,18 +85,13 @@ void Parser::include_directive(const Token& token) {
   if (files > options_.limits.include_depth) {
     throw Failure{token.where, "Too many nested include files."};
   }
-  const std::string path = name.size() < 4096 ? resolve(name) : "";
-  std::string why =
-      "Cannot find file '" + name + "', even after trying to append file type extension.";
-  TokenFilePtr tokens;
-  const auto known = files_.find(path);
-  if (known != files_.end()) tokens = known->second;
-  else if (!path.empty()) tokens = load(path, path, why);
+  std::string why;
+  TokenFilePtr tokens = handed_in(name, why);
+  if (!tokens && why.empty()) tokens = file_of(name, why);
   if (!tokens) {
     names_unknown_ = true;
     throw Failure{token.where, "Cannot open include file " + name + ".\n" + why};
   }
-  files_[path] = tokens;
   push_frame(tokens, 0, static_cast<std::uint32_t>(tokens->lexemes.size() - 1), frame().call, false);
 }
 

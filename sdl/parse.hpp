@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ struct Options {
   std::size_t most_errors = 100;               // then the parse ends
   Limits limits;
   std::function<void(const std::string&)> debug;  // what #debug prints; default: standard error
+  // The text of an include file by the name that the scene gives it, asked once for each name before files are looked for; none: a file.
+  std::function<std::optional<std::string>(const std::string& name)> include;
 };
 
 struct Result {

@@ -180,6 +180,9 @@ class Parser {
   std::string resolve(const std::string& name) const;
   TokenFilePtr load(const std::string& path, const std::string& shown, std::string& why);
   TokenFilePtr take_text(const std::string& shown, std::string text);
+  // What an #include names: a text handed in, a file; null and why if there is none.
+  TokenFilePtr handed_in(const std::string& name, std::string& why);
+  TokenFilePtr file_of(const std::string& name, std::string& why);
 
   // block.cpp
   BlockPtr block(const Token& name);

@@ -226,7 +226,7 @@ enum { NICOL_FLOAT = 0, NICOL_DOUBLE = 1 };
 typedef struct nicol_render_options {
   uint32_t struct_size;
   nicol_precision precision;       /* of the kernel; double where an error asks for it, whatever stands here */
-  int32_t lanes;                   /* work-item's vector width: 1, 2, 4, 8 or 16; 0: the device's own */
+  int32_t lanes;                   /* work-item's vector width: 1, 4, 8 or 16; 0: the device's own */
   int32_t generic;                 /* 1: one kernel for every scene instead of one made for this */
   int32_t no_cache;                /* 1: kernels are built anew, and not kept */
   int32_t resume;                  /* 1: goes on from the tiles in `journal` */
@@ -240,7 +240,7 @@ typedef struct nicol_render_options {
   double first_wavelength_nm, last_wavelength_nm; /* those of the scene's wavelengths in this range; 0, 0: all */
   nicol_progress_callback progress;   /* may be NULL, as the next two: called between tiles */
   nicol_tile_callback tile;
-  nicol_cancel_callback cancel;       /* asked often */
+  nicol_cancel_callback cancel;       /* asked then too, and between stages */
   void* user;                         /* handed to these three */
 } nicol_render_options;
 

@@ -1,6 +1,8 @@
 // The genuine include files of POV-Ray load, whole chains of them. Needs Debian's povray-includes.
 #include <filesystem>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "parsed.hpp"
 
@@ -56,4 +58,33 @@ TEST_CASE("what they declare works") {
   CHECK(including("glass.inc", "sphere { 0, 1 interior { I_Glass } }") == "ok");
   CHECK(including("shapes.inc", "Round_Box(<0,0,0>, <1,1,1>, .1, 1)") == "ok");
   CHECK(including("strings.inc", "#debug VStr(<1,2,3>)") == "<1.000000,2.000000,3.000000>ok");
+}
+
+TEST_CASE("texts handed in come before files, each asked for once") {
+  std::vector<std::string> asked;
+  Options options = with_includes();
+  options.include = [&](const std::string& name) -> std::optional<std::string> {
+    asked.push_back(name);
+    if (name == "colors.inc") return "#declare Red = 7;";
+    if (name == "broken.inc") return "#declare A = 1;\n#declare B = ;";
+    return std::nullopt;
+  };
+  Parsed parsed("#include \"colors.inc\"\n#include \"colors.inc\"\n#include \"consts.inc\"\n#debug str(Red + (pi > 3), 1, 0)", options);
+  CHECK(parsed.messages() == "");
+  CHECK(parsed.debug == "8");
+  CHECK(asked == std::vector<std::string>{"colors.inc", "consts.inc"});
+  Parsed broken("#include \"broken.inc\"\n#include \"nowhere.inc\"", options);
+  REQUIRE(broken.result.diagnostics.all().size() == 2);
+  const Diagnostic& first = broken.result.diagnostics.all()[0];
+  CHECK(broken.result.sources.name(first.where.file) == "broken.inc");
+  CHECK(first.where.line == 2);
+  CHECK(broken.messages().find("Cannot open include file nowhere.inc") != std::string::npos);
+}
+
+TEST_CASE("a text handed in is held to the limits of files") {
+  Options options;
+  options.limits.file_bytes = 100;
+  options.include = [](const std::string&) { return std::string(200, ' '); };
+  Parsed parsed("#include \"large.inc\"", options);
+  CHECK(parsed.result.diagnostics.text().find("it is too large") != std::string::npos);
 }
