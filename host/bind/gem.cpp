@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "host/bind/crystal.hpp"
+#include "host/bind/plugin_words.hpp"
 #include "host/vec.hpp"
 
 namespace nicol {
@@ -15,21 +16,6 @@ using namespace crystallography;
 constexpr std::uintmax_t most_bytes = 4u << 20;
 constexpr std::size_t most_facets = 10'000;
 
-// The working directory, the library folders, the scene's own folder: as for `#include`.
-std::string find_file(const Context& context, const std::string& name) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  if (name.empty() || name.size() > 4096) return "";
-  std::vector<fs::path> folders{""};
-  if (fs::path(name).is_relative()) {
-    for (const std::string& folder : context.options.library_paths) folders.push_back(folder);
-    folders.push_back(fs::path(context.options.path).parent_path());
-  }
-  for (const fs::path& folder : folders)
-    if (fs::is_regular_file(folder / name, ignored)) return (folder / name).string();
-  return "";
-}
-
 void read_file(Context& context, RawGem& raw) {
   std::error_code ignored;
   const std::string path = find_file(context, raw.file);
@@ -40,7 +26,6 @@ void read_file(Context& context, RawGem& raw) {
                          "as text ('.asc')");
   if (std::filesystem::file_size(path, ignored) > most_bytes)
     return context.error(raw.file_where, "'" + raw.file + "' is too large for a gem cut");
-  if (context.options.files_read) context.options.files_read->push_back(path);
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
