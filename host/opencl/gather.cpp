@@ -112,6 +112,14 @@ void Gather::add(const Tile& tile, const Real* sums) {
   if (tile.sample_end == samples) scatter(tile, sums_.data());
 }
 
+std::vector<std::int32_t> Gather::pixels_of(const Tile& tile) const {
+  const int per_unit = layout_.pixels_per_unit();
+  std::vector<std::int32_t> pixels;
+  for (std::int64_t p = tile.first_unit * per_unit; p < std::min((tile.first_unit + tile.unit_count) * per_unit, layout_.pixels); ++p)
+    pixels.push_back(static_cast<std::int32_t>(pixel_of(p)));
+  return pixels;
+}
+
 template <class Real>
 void Gather::scatter(const Tile& tile, const Real* sums) {
   constexpr int run = 64;   // pixels: what they read stays in the cache while plane after plane is written

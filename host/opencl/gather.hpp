@@ -44,6 +44,9 @@ class Gather {
   template <class Real>
   void add(const Tile& tile, const Real* sums);
 
+  // The tile's pixels of the frame.
+  std::vector<std::int32_t> pixels_of(const Tile& tile) const;
+
   // Estimates the error of pixel sampling from what is there, into frame.sample_error (scene with path_signatures only).
   void estimate_errors();
 

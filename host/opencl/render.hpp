@@ -57,6 +57,8 @@ struct RenderOptions {
   Journal* journal = nullptr;
   double journal_after_seconds = 3;
   std::function<void(const Progress&)> progress;
+  // Called after each tile with the picture so far and the pixels of it (row * width + column) whose values have just changed.
+  std::function<void(const Frame& frame, const std::int32_t* pixels, std::size_t count)> tile;
   const std::atomic<bool>* cancel = nullptr;      // set by Ctrl-C: stops after the tiles in flight
 };
 

@@ -128,7 +128,11 @@ void Renderer::gather(const Tile& tile, const void* sums) {
     gather_.add(tile, static_cast<const double*>(sums));
   else
     gather_.add(tile, static_cast<const float*>(sums));
-  if (tile.sample_end == end_ - begin_) units_done_ = tile.first_unit + tile.unit_count;
+  if (tile.sample_end < end_ - begin_) return;
+  units_done_ = tile.first_unit + tile.unit_count;
+  if (!options_.tile) return;
+  const std::vector<std::int32_t> pixels = gather_.pixels_of(tile);
+  options_.tile(frame_, pixels.data(), pixels.size());
 }
 
 void Renderer::keep_in_journal(const Tile& tile, const Slot& slot) {

@@ -1,6 +1,7 @@
 // The render loop on the stand-in kernel: every number of the picture is known.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -221,6 +222,33 @@ TEST_CASE("progress rises to 1 and knows the speed") {
   CHECK(rises);
   CHECK(last == 1);
   CHECK(rate > 0);
+}
+
+TEST_CASE("every tile is told once with its pixels, which have their values then") {
+  const KernelFolder kernels;
+  const auto device = open_device("0");
+  for (bool over_pixels : {false, true})
+    for (bool listed : {false, true}) {
+      RenderOptions options = with_lanes(8);
+      options.samples = 20;
+      options.tile_seconds = 1e-4;
+      if (listed) options.pixels = {3, 5, 8, 13, 21, 34, 55, 89, 144, 233};
+      std::vector<int> told(listed ? 10 : 20 * 15, 0);
+      bool there = true;
+      options.tile = [&](const Frame& frame, const std::int32_t* pixels, std::size_t count) {
+        CHECK(count > 0);
+        for (std::size_t i = 0; i < count; ++i) {
+          const auto p = static_cast<std::size_t>(pixels[i]);
+          ++told.at(p);
+          const double right = stand_in_value(2, listed ? options.pixels[p] : pixels[i], 4, pixel_samples(20));
+          there = there && std::fabs(static_cast<double>(frame.component(2, 4)[p]) - right) < 1e-6 * right;
+        }
+      };
+      RenderReport report;
+      picture(*device, stand_in_scene(20, 15, 5, 8, over_pixels), options, report);
+      CHECK(there);
+      CHECK(std::count(told.begin(), told.end(), 1) == static_cast<std::ptrdiff_t>(told.size()));
+    }
 }
 
 TEST_CASE("a picture that memory cannot hold is refused with its size") {
