@@ -110,6 +110,10 @@ struct DiscShape {
   Vec3 centre, normal;
   double radius = 1, hole_radius = 0;
 };
+struct MeshShape {  // closed; planar polygons, their corners counter-clockwise seen from outside
+  std::vector<Vec3> points;
+  std::vector<std::vector<int>> faces;
+};
 // What CSG makes of half-space solids: one solid without faces between its parts.
 struct CsgShape {
   // merge: inside any; intersection: inside all; difference: inside the first and none of the others
@@ -118,14 +122,14 @@ struct CsgShape {
     Operation operation = Operation::leaf;
     bool inverse = false;            // everything but this
     std::vector<Affine> transforms;  // its own; those of the nodes and the object around it follow
-    std::variant<ConvexShape, PrismShape> leaf;  // the shape may be open, as a plane is
+    std::variant<ConvexShape, PrismShape, MeshShape> leaf;  // the shape may be open, as a plane is
     std::vector<Node> operands;
     std::string kind;  // "box", "difference", ...
     Location where;
   };
   Node root;
 };
-using Shape = std::variant<ConvexShape, PrismShape, PolygonShape, DiscShape, CsgShape>;
+using Shape = std::variant<ConvexShape, PrismShape, PolygonShape, DiscShape, CsgShape, MeshShape>;
 
 // A solid has a medium; a sheet (polygon, disc) shines or polarizes. A face of a solid may shine too.
 struct FaceEmission {

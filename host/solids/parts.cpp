@@ -85,6 +85,17 @@ class Maker {
   void make(const ConvexShape& shape) { make_leaf(leaf_of(shape)); }
   void make(const PrismShape& shape) { make_leaf(leaf_of(shape)); }
 
+  // Pieces that may meet in parts of faces are one leaf of CSG, which finds the seams.
+  void make(const MeshShape& shape) {
+    const Leaf leaf = leaf_of(shape);
+    if (leaf.pieces.size() < 2) return make_leaf(leaf);
+    CsgShape alone;
+    alone.root.leaf = shape;
+    alone.root.kind = object_.kind;
+    alone.root.where = object_.where;
+    make(alone);
+  }
+
   void make(const CsgShape& shape) {
     CsgResult result = make_csg(shape, object_.transforms);
     if (!result.wrong.empty()) return diagnostics_.error(result.where, result.wrong);

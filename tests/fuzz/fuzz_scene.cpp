@@ -44,6 +44,7 @@ std::size_t faces_of(const PolygonShape& shape) {
   return count;
 }
 std::size_t faces_of(const DiscShape&) { return 1; }
+std::size_t faces_of(const MeshShape& shape) { return shape.faces.size(); }
 std::size_t faces_of(const CsgShape::Node& node) {
   // each operand of a tree may cut all the others
   std::size_t count = std::visit([](const auto& leaf) { return faces_of(leaf); }, node.leaf);
