@@ -9,7 +9,7 @@ using solids::ExactPoint;
 using solids::Polyhedron;
 using Operation = CsgShape::Operation;
 
-CsgNode csg_leaf(std::variant<ConvexShape, PrismShape> shape, std::vector<Affine> moves) {
+CsgNode csg_leaf(decltype(CsgNode::leaf) shape, std::vector<Affine> moves) {
   CsgNode node;
   node.kind = std::holds_alternative<ConvexShape>(shape) ? "box" : "prism";
   node.leaf = std::move(shape);

@@ -11,7 +11,7 @@ namespace nicol::test {
 
 using CsgNode = CsgShape::Node;
 
-CsgNode csg_leaf(std::variant<ConvexShape, PrismShape> shape, std::vector<Affine> moves = {});
+CsgNode csg_leaf(decltype(CsgNode::leaf) shape, std::vector<Affine> moves = {});
 CsgNode csg_box(const Vec3& low, const Vec3& high, std::vector<Affine> moves = {});
 CsgNode octahedron(const Vec3& centre, double radius);
 CsgNode half_space(const Vec3& normal, double offset);
