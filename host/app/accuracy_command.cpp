@@ -11,6 +11,7 @@
 #include "host/app/gnuplot.hpp"
 #include "host/app/interrupt.hpp"
 #include "host/app/progress_bar.hpp"
+#include "host/app/told_scene.hpp"
 #include "host/output/atomic_file.hpp"
 
 namespace nicol::app {
@@ -70,7 +71,7 @@ int accuracy_command(const AccuracyCommand& command) {
   check_numbers(command);
   const fs::path csv = csv_path(command);
   check_targets(csv);
-  const auto loaded = load_scene(command.scene, command.options, Expectations::where_they_apply);
+  const auto loaded = load_and_tell(command.scene, command.options, Expectations::where_they_apply);
   if (!loaded) return exit_error;
   const auto device = open_wanted_device(command.device);
   const std::atomic<bool>& cancel = finish_first();

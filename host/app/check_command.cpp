@@ -5,15 +5,16 @@
 #include <cstdio>
 
 #include "host/app/commands.hpp"
-#include "host/engine/loaded_scene.hpp"
+#include "host/app/told_scene.hpp"
 #include "host/bind/bind.hpp"
+#include "host/engine/loaded_scene.hpp"
 
 namespace nicol::app {
 
 int check_command(const CheckCommand& command) {
   int code = exit_done;
   for (const std::string& path : command.scenes) {
-    const auto loaded = load_scene(path, command.options);
+    const auto loaded = load_and_tell(path, command.options);
     if (!loaded) code = exit_error;
     fmt::print("{}: {}\n", path, loaded ? "right" : "wrong");
     std::fflush(stdout);

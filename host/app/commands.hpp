@@ -7,6 +7,10 @@
 
 #include "host/engine/options.hpp"
 
+namespace nicol {
+class Ranks;
+}
+
 namespace nicol::app {
 
 using namespace engine;
@@ -24,8 +28,11 @@ struct AnimationOptions {
   double frames_per_second = 25;
 };
 
+// outputs empty: the scene's name with .png, in the working directory.
 struct RenderCommand : PictureOptions {
   bool quiet = false;
+  Ranks* ranks = nullptr;         // of mpirun; null: this process is alone
+  bool first_rank_idle = false;   // rank 0 only deals and gathers
   AnimationOptions animation;
 };
 

@@ -38,6 +38,9 @@ int devices_command() {
     fmt::print("     {}, {}, driver {}\n", device.platform, device.version, device.driver);
   }
   fmt::print("* is used unless --device names another by its number or a part of its name\n");
+  std::string all;
+  for (const DeviceInfo& device : choose_devices("all")) all += fmt::format("{}{}", all.empty() ? "" : ",", device.index);
+  fmt::print("render takes several: --device {}, which is what --device all means; lanes are those that suit the first\n", all);
   return exit_done;
 }
 

@@ -6,6 +6,7 @@
 
 #include "host/app/commands.hpp"
 #include "host/app/expectations.hpp"
+#include "host/app/told_scene.hpp"
 
 namespace nicol::app {
 namespace {
@@ -70,7 +71,7 @@ bool holds(const LoadedScene& loaded, DeviceOptions options) {
 int expect_command(const ExpectCommand& command) {
   int code = exit_done;
   for (const std::string& path : command.scenes) {
-    const auto loaded = load_scene(path, command.options, Expectations::always);
+    const auto loaded = load_and_tell(path, command.options, Expectations::always);
     if (!loaded) {
       code = exit_error;
     } else if (loaded->scene.expectations.empty()) {

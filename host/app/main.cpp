@@ -13,6 +13,7 @@
 #include "host/app/interrupt.hpp"
 #include "host/app/povray_switches.hpp"
 #include "host/app/preview_command.hpp"
+#include "host/mpi/ranks.hpp"
 #include "host/opencl/render.hpp"
 #include "sdl/diagnostics.hpp"
 
@@ -48,7 +49,7 @@ void add_scene_options(CLI::App& verb, SceneOptions& options) {
 void add_device_options(CLI::App& verb, DeviceOptions& options,
                         const std::vector<std::string>& reals) {
   verb.add_option("--device", options.device,
-                  "OpenCL device: its number or a part of its name (see `nicol devices`)");
+                  "OpenCL device: its number or a part of its name (see `nicol devices`); render takes several with commas, or all");
   verb.add_option("--real", options.real, "Precision of the kernel")
       ->check(CLI::IsMember(reals))
       ->capture_default_str();
@@ -120,6 +121,7 @@ void add_render(CLI::App& app, RenderCommand& command, Verb& chosen) {
   verb->add_option("--error-map", command.error_map, "Picture (.exr or .png) of what each pixel may be off by");
   verb->add_flag("--no-budget", command.no_budget, "Do not look into the picture's errors afterwards");
   add_device_options(*verb, command.device, {"float", "double"});
+  verb->add_flag("--first-rank-idle", command.first_rank_idle, "Under mpirun: rank 0 only deals tiles and gathers them");
   verb->add_flag("-q,--quiet", command.quiet, "Tell only what went wrong");
   add_part_options(*verb, command);
   add_animation_options(*verb, command);
@@ -259,7 +261,7 @@ void check_verb(CLI::App& app, const std::vector<std::string>& arguments) {
                                fmt::join(verbs, ", ")));
 }
 
-int run(const std::vector<std::string>& arguments) {
+int run(const std::vector<std::string>& arguments, nicol::Ranks* ranks) {
   CLI::App app{"nicol renders crystals: spectral, polarized, exact at every face.", "nicol"};
   app.set_version_flag("--version", std::string("nicol ") + version());
   app.require_subcommand(1);
@@ -267,6 +269,7 @@ int run(const std::vector<std::string>& arguments) {
     return fmt::format("nicol: {}\nTry `nicol --help` or `nicol VERB --help`.\n", error.what());
   });
   RenderCommand render;
+  render.ranks = ranks;
   MergeCommand merge;
   PreviewCommand preview;
   AccuracyCommand accuracy;
@@ -309,16 +312,29 @@ int complain(const char* message) {
   return exit_error;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (const auto code = nicol::serve_as_builder(argc, argv)) return *code;
+int run_and_complain(const std::vector<std::string>& arguments, nicol::Ranks* ranks) {
   try {
-    catch_interrupts();
-    return run({argv + 1, argv + argc});
+    return run(arguments, ranks);
   } catch (const std::bad_alloc&) {
     return complain("the memory does not suffice; take a smaller picture or fewer wavelengths");
   } catch (const std::exception& error) {
     return complain(error.what());
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (const auto code = nicol::serve_as_builder(argc, argv)) return *code;
+  std::unique_ptr<nicol::Ranks> ranks;
+  try {
+    ranks = nicol::join_ranks(fmt::format("{}; {}", version(), nicol::kernels_hash()));
+    if (ranks && ranks->rank() > 0) return ranks->serve();
+  } catch (const std::exception& error) {
+    return complain(error.what());
+  }
+  catch_interrupts();
+  const int code = run_and_complain({argv + 1, argv + argc}, ranks.get());
+  if (ranks) ranks->end(code);
+  return code;
 }

@@ -20,6 +20,7 @@ struct FrameOfMany {
 // What frames hand on to the next.
 struct RenderTools {
   std::shared_ptr<Device> device;      // null: not opened yet
+  std::vector<std::shared_ptr<Device>> also;   // further ones that --device names
   std::string told;                    // of the scene's warnings
   std::optional<FrameOfMany> frames;   // none: a single picture
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();

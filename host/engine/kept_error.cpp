@@ -71,8 +71,9 @@ class Choice {
       SceneOptions finer = command_.options;
       finer.wavelengths = fmt::format("{}:{}:{}", lambda_nm.front(), lambda_nm.back(), (lambda_nm[1] - lambda_nm[0]) / 2);
       const Settings settings = loaded_->scene.settings;
-      auto again = load_scene(command_.scene, finer);
-      if (!again) return miss("the scene has errors at other wavelengths");
+      std::string told;
+      auto again = load_scene(command_.scene, finer, Expectations::where_they_apply, &told);
+      if (!again) return miss("the scene has errors at other wavelengths:\n" + told);
       again->scene.settings = settings;
       loaded_ = std::move(again);
     }

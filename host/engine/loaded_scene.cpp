@@ -1,12 +1,12 @@
 // See loaded_scene.hpp.
 #include "host/engine/loaded_scene.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "host/bind/bind.hpp"
@@ -46,18 +46,26 @@ std::vector<double> split_numbers(const std::string& text, char separator) {
   }
 }
 
-// nicol's own include files, beside the program or where it was built, and POV-Ray's where it is
-// installed.
+namespace fs = std::filesystem;
+
+// The program or the library that this is part of.
+fs::path own_file() {
+  std::error_code failed;
+  Dl_info about{};
+  const bool library = dladdr(reinterpret_cast<const void*>(&parse_relative_error), &about) != 0 && about.dli_fname &&
+                       std::string_view(about.dli_fname).find(".so") != std::string_view::npos;
+  return library ? fs::canonical(about.dli_fname, failed) : fs::read_symlink("/proc/self/exe", failed);
+}
+
+// nicol's own include files, installed or beside the program or where it was built, and POV-Ray's where it is installed.
 std::vector<std::string> standard_libraries() {
-  namespace fs = std::filesystem;
   std::error_code failed;
   std::vector<std::string> folders;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed).parent_path();
-  constexpr int levels_up = 4;  // build/release/bin/nicol
-  fs::path above = program;
+  constexpr int levels_up = 4;  // build/release/bin/nicol, usr/lib/x86_64-linux-gnu/libnicol.so
+  fs::path above = own_file().parent_path();
   for (int i = 0; i < levels_up && folders.empty(); ++i, above = above.parent_path())
-    if (fs::is_regular_file(above / "scenes/include/units.inc", failed))
-      folders.push_back((above / "scenes/include").string());
+    for (const char* place : {"scenes/include", "share/nicol/include"})
+      if (folders.empty() && fs::is_regular_file(above / place / "units.inc", failed)) folders.push_back((above / place).string());
   if (folders.empty()) folders.push_back(NICOL_INCLUDE_FOLDER);
   folders.push_back("/usr/share/povray-3.7/include");
   return folders;
@@ -108,6 +116,8 @@ sdl::Options parse_options(const SceneOptions& options) {
     result.declares[declare.substr(0, equals)] =
         parse_number(std::string_view(declare).substr(equals + 1), declare);
   }
+  result.include = options.include;
+  result.debug = options.debug;
   const FrameClock& clock = options.clock;
   result.clock = clock.clock;
   result.clock_delta = clock.clock_delta;
@@ -163,7 +173,8 @@ ReadScene read_scene(const std::string& path, const SceneOptions& options, Expec
   read.loaded = std::make_unique<LoadedScene>();
   LoadedScene& loaded = *read.loaded;
   sdl::Diagnostics& diagnostics = loaded.parsed.diagnostics;
-  sdl::parse_file(path, sdl_options, loaded.parsed);
+  if (options.text) sdl::parse_text(path, *options.text, sdl_options, loaded.parsed);
+  else sdl::parse_file(path, sdl_options, loaded.parsed);
   if (!wanted.lambda_nm.empty() && expectations == Expectations::where_they_apply)
     drop_expectations(loaded.parsed.document);
   if (!loaded.parsed.document.items.empty() || !diagnostics.failed())
@@ -180,11 +191,17 @@ ReadScene read_scene(const std::string& path, const SceneOptions& options, Expec
 std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options,
                                         Expectations expectations, std::string* told) {
   ReadScene read = read_scene(path, options, expectations);
-  const std::string text = read.loaded->parsed.diagnostics.all().empty() ? "" : read.loaded->parsed.diagnostics.text();
-  if (!told || *told != text) fmt::print(stderr, "{}", text);
-  if (told) *told = text;
+  if (told) *told = read.loaded->parsed.diagnostics.text();
   if (!read.whole) return nullptr;
   return std::move(read.loaded);
+}
+
+std::unique_ptr<LoadedScene> working_copy(const LoadedScene& loaded) {
+  auto copy = std::make_unique<LoadedScene>();
+  copy->scene = loaded.scene;
+  copy->geometry = loaded.geometry;
+  copy->features = loaded.features;
+  return copy;
 }
 
 KernelOptions kernel_options(const DeviceOptions& options) {
@@ -198,10 +215,13 @@ KernelOptions kernel_options(const DeviceOptions& options) {
 
 std::shared_ptr<Device> open_wanted_device(const DeviceOptions& options) {
   std::shared_ptr<Device> device = open_device(options.device);
-  if (options.real == "double" && !info(*device).has_fp64)
-    throw UsageError(
-        fmt::format("{} has no double precision; use --real float", info(*device).name));
+  check_precision(*device, options);
   return device;
+}
+
+void check_precision(const Device& device, const DeviceOptions& options) {
+  if (options.real == "double" && !info(device).has_fp64)
+    throw UsageError(fmt::format("{} has no double precision; use --real float", info(device).name));
 }
 
 }  // namespace nicol::engine

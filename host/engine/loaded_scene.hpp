@@ -33,11 +33,13 @@ struct ReadScene {
 ReadScene read_scene(const std::string& path, const SceneOptions& options,
                      Expectations expectations = Expectations::where_they_apply);
 
-// Warnings and errors go to standard error; null if there was an error. UsageError for wrong
-// options. told: what was told last time (of another frame), which is not told again.
+// Null if there was an error. told: takes what the diagnostics say. UsageError for wrong options.
 std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOptions& options,
                                         Expectations expectations = Expectations::where_they_apply,
                                         std::string* told = nullptr);
+
+// Scene, geometry and features, for settings of its own; without what was parsed.
+std::unique_ptr<LoadedScene> working_copy(const LoadedScene& loaded);
 
 // Where include files lie, what is declared, the size of the picture.
 sdl::Options parse_options(const SceneOptions& options);
@@ -47,6 +49,8 @@ KernelOptions kernel_options(const DeviceOptions& options);
 
 // Opens the device that is asked for, and checks that it can do what is asked.
 std::shared_ptr<Device> open_wanted_device(const DeviceOptions& options);
+// UsageError where the device lacks it.
+void check_precision(const Device& device, const DeviceOptions& options);
 
 // from:to:step or a list with commas, nm, ascending.
 std::vector<double> parse_wavelengths(const std::string& text);

@@ -1,5 +1,7 @@
 // What may be asked of a picture: of its scene, its device, and what of it is rendered and written.
 #pragma once
+#include <functional>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -30,6 +32,10 @@ struct SceneOptions {
   std::optional<double> adc_bailout;
   std::string polarization;  // on, off; empty: the scene's
   FrameClock clock;
+  std::shared_ptr<const std::string> text;  // the scene's, in place of its file's; null: the file's
+  // sdl::Options: texts in place of include files, and what takes what #debug prints.
+  std::function<std::optional<std::string>(const std::string& name)> include;
+  std::function<void(const std::string&)> debug;
 };
 
 struct DeviceOptions {
@@ -43,23 +49,33 @@ struct DeviceOptions {
 // "0.1%" or "0.001": greater than 0, less than 1. UsageError otherwise.
 double parse_relative_error(const std::string& text);
 
+// 0-based, inclusive.
+struct PixelRange {
+  int first = 0, last = 0;
+};
+
 // POV-Ray's partial output: numbers above 1 are pixels, from 1 on and inclusive, those up to 1 parts of the picture.
 struct WindowOptions {
   std::optional<double> start_row, end_row, start_column, end_column;
+  std::optional<PixelRange> rows, columns;  // in place of these
 };
 
 struct PictureOptions {
-  std::string scene;
-  std::vector<std::string> outputs;  // empty: the scene's name with .png, in the working directory
+  std::string scene;                 // its file, or what its text is called
+  std::vector<std::string> outputs;
   SceneOptions options;
   DeviceOptions device;
-  bool resume = false;          // from the tiles that an unfinished run has kept
+  std::string journal;          // where finished tiles are kept; "": nowhere
+  bool resume = false;          // from the tiles that an unfinished run has kept there
+  bool tell_resumed = true;     // how many they were
   bool no_budget = false;
   std::string part;             // i/n: this share of the picture's pixels; "": all
   std::string wavelength_part;  // a..b in nm: those of the scene's wavelengths; "": all
   WindowOptions window;
-  std::string error_map;        // "": none
+  std::string error_map;        // where what each pixel may be off by is written; "": nowhere
+  bool error_bound = false;     // that is wanted, written or not
   std::string command_line;     // for the picture's header
+  bool wants_error_bound() const { return error_bound || !error_map.empty(); }
 };
 
 const char* version();

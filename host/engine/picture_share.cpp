@@ -21,7 +21,20 @@ bool read_number(std::string_view text, Number& number) {
 }
 
 bool has_window(const WindowOptions& window) {
-  return window.start_row || window.end_row || window.start_column || window.end_column;
+  return window.start_row || window.end_row || window.start_column || window.end_column || window.rows || window.columns;
+}
+
+PixelRange in_picture(PixelRange range, int count, const std::string& what) {
+  if (range.first >= 0 && range.first <= range.last && range.last < count) return range;
+  throw UsageError(fmt::format("{}s {}..{} are not in the picture (0 to {})", what, range.first, range.last, count - 1));
+}
+
+PixelRange rows_of(const WindowOptions& window, int height) {
+  return window.rows ? in_picture(*window.rows, height, "row") : pixel_range(window.start_row, window.end_row, height, "row");
+}
+
+PixelRange columns_of(const WindowOptions& window, int width) {
+  return window.columns ? in_picture(*window.columns, width, "column") : pixel_range(window.start_column, window.end_column, width, "column");
 }
 
 bool is_png(const std::string& path) {
@@ -29,21 +42,20 @@ bool is_png(const std::string& path) {
   return suffix == ".png" || suffix == ".PNG";
 }
 
+[[noreturn]] void refuse(const PictureShare& share, const std::string& what, const std::string& why) {
+  throw UsageError(fmt::format("{} does not go with a part of a picture ({}): {}", what, share.name, why));
+}
+
 // What needs a whole picture, and why.
 void refuse_with_part(const PictureOptions& command, const std::vector<std::string>& outputs, const Scene& scene, const PictureShare& share) {
-  const auto refuse = [&](const std::string& what, const std::string& why) {
-    throw UsageError(fmt::format("{} does not go with a part of a picture ({}): {}", what, share.name, why));
-  };
   const bool from_scene = !command.options.error && !command.options.sample_error;
   if (scene.settings.error > 0)
-    refuse(from_scene ? "the scene's `error`" : "--error", "the settings that keep it are picked, and its samples placed, by the whole picture");
+    refuse(share, from_scene ? "the scene's `error`" : "--error", "the settings that keep it are picked, and its samples placed, by the whole picture");
   if (scene.settings.sample_error > 0)
-    refuse(from_scene ? "the scene's `sample_error`" : "--sample-error",
+    refuse(share, from_scene ? "the scene's `sample_error`" : "--sample-error",
            "where further samples go is decided by the whole picture; --samples gives every pixel as many");
-  if (!command.error_map.empty()) refuse("--error-map", "it holds each pixel against its neighbours");
-  if (share.window_only) return;
-  for (const std::string& path : outputs)
-    if (is_png(path)) refuse(path, "only .exr tells what is there and what it belongs to; `nicol merge` writes .png of all parts");
+  if (command.wants_error_bound()) refuse(share, "--error-map", "it holds each pixel against its neighbours");
+  for (const std::string& path : outputs) check_output(share, path);
 }
 
 std::string range_text(const char* what, PixelRange range) { return fmt::format("{} {}..{}", what, range.first + 1, range.last + 1); }
@@ -58,8 +70,7 @@ void choose_pixels(const PictureOptions& command, PictureShare& share, std::vect
     names.push_back("share " + command.part);
   }
   if (!has_window(command.window)) return;
-  const PixelRange rows = pixel_range(command.window.start_row, command.window.end_row, height, "row");
-  const PixelRange columns = pixel_range(command.window.start_column, command.window.end_column, width, "column");
+  const PixelRange rows = rows_of(command.window, height), columns = columns_of(command.window, width);
   const auto outside = [&](std::int32_t p) {
     const int x = p % width, y = p / width;
     return x < columns.first || x > columns.last || y < rows.first || y > rows.last;
@@ -119,6 +130,11 @@ PixelRange pixel_range(std::optional<double> start, std::optional<double> end, i
   if (range.last < range.first)
     throw UsageError(fmt::format("from {} {} to {} there is nothing to render", what, range.first + 1, range.last + 1));
   return range;
+}
+
+void check_output(const PictureShare& share, const std::string& path) {
+  if (share.whole() || share.window_only || !is_png(path)) return;
+  refuse(share, path, "only .exr tells what is there and what it belongs to; `nicol merge` writes .png of all parts");
 }
 
 PictureShare choose_share(const PictureOptions& command, const std::vector<std::string>& outputs, const Scene& scene) {

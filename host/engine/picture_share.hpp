@@ -22,15 +22,15 @@ struct PictureShare {
 // command, an error map, a .png of a dealt share or of some wavelengths).
 PictureShare choose_share(const PictureOptions& command, const std::vector<std::string>& outputs, const Scene& scene);
 
+// UsageError where a picture of this share cannot be written there.
+void check_output(const PictureShare& share, const std::string& path);
+
 // What has to be rendered for a share. Waves are followed heaviest first, by what lanes hold together, and sums are formed in that order: their last bits
 // depend on all lanes. So lanes hold what they hold in the whole picture, and what is not wanted of that is left out afterwards.
 PictureShare whole_lanes(const PictureShare& share, const PackedScene& whole, std::size_t wavelengths, int lanes);
 
-// 0-based, inclusive. POV-Ray 3.7 documentation, "Partial Output Options"; fractions are rounded as POV-Ray 3.7.0.10 does: the first
+// POV-Ray 3.7 documentation, "Partial Output Options"; fractions are rounded as POV-Ray 3.7.0.10 does: the first
 // is floor(f n) + 1, the last floor(f n), counted from 1. UsageError where nothing is left.
-struct PixelRange {
-  int first = 0, last = 0;
-};
 PixelRange pixel_range(std::optional<double> start, std::optional<double> end, int count, const std::string& what);
 
 // "2/3" as {2, 3}, "450..550" as {450, 550}. UsageError otherwise.

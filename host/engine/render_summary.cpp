@@ -25,6 +25,18 @@ std::string counters_text(const RenderReport& report) {
   return text;
 }
 
+// What each of several devices did; "": there was one.
+std::string shares_text(const RenderReport& report) {
+  if (report.shares.size() < 2) return "";
+  std::string text;
+  for (const DeviceShare& share : report.shares) {
+    const double part = report.segments > 0 ? 100.0 * static_cast<double>(share.segments) / static_cast<double>(report.segments) : 0;
+    text += fmt::format("{}{}{}: {} tiles, {:.0f} %", text.empty() ? "" : "; ", share.place.empty() ? "" : share.place + ", ",
+                        share.device.empty() ? "not ready in time" : share.device, share.tiles, part);
+  }
+  return text;
+}
+
 }  // namespace
 
 const char* version() { return NICOL_VERSION; }
@@ -39,6 +51,7 @@ std::string summary_text(const Frame& frame, const RenderReport& report) {
   fmt::format_to(out, "{:.2f} s, {:.1f} M segments/s on {}, {} lane{} of {}; {}\n", report.seconds,
                  segments_per_second(report) / 1e6, report.device, report.lanes,
                  report.lanes == 1 ? "" : "s", report.real, build_text(report.build));
+  if (report.shares.size() > 1) fmt::format_to(out, "shared: {}\n", shares_text(report));
   if (!report.sample_error_kept)
     fmt::format_to(out, "the sampling error {:.2g} % is more than what was to be kept\n", 100 * report.sample_error);
   fmt::format_to(out, "weight cut off: mean {:.2g}, worst pixel {:.2g}\n", report.cut_off_mean,
@@ -47,18 +60,17 @@ std::string summary_text(const Frame& frame, const RenderReport& report) {
   return text;
 }
 
-std::string counter_warnings(const RenderReport& report) {
-  std::string text;
+std::vector<std::string> counter_warnings(const RenderReport& report) {
+  std::vector<std::string> lines;
   const auto warn = [&](std::uint64_t count, const char* meaning) {
-    if (count > 0)
-      fmt::format_to(std::back_inserter(text), "warning: {} times {}\n", count, meaning);
+    if (count > 0) lines.push_back(fmt::format("{} times {}", count, meaning));
   };
   warn(report.nan_count, "a path's light was not a number; it was left out");
   warn(report.energy_count, "a face gave out more light than it got");
   warn(report.stack_count,
        "a path had more branches than the stack holds; they were counted as cut off");
   warn(report.stokes_count, "a pixel was polarized by more than 100 %");
-  return text;
+  return lines;
 }
 
 std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loaded,
@@ -83,6 +95,7 @@ std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loa
           {"cutOff",
            fmt::format("mean {:.3g}, worst {:.3g}", report.cut_off_mean, report.cut_off_worst)},
           {"counters", counters_text(report)}};
+  if (report.shares.size() > 1) notes.emplace_back("shared", shares_text(report));
   if (clock.final_frame > 0)
     notes.emplace_back("frame", fmt::format("{} of {} to {}, clock {:g}", clock.frame_number, clock.initial_frame, clock.final_frame,
                                             clock.clock));

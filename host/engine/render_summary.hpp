@@ -12,8 +12,8 @@ namespace nicol::engine {
 
 std::string summary_text(const Frame& frame, const RenderReport& report);
 
-// One line for each counter that is not 0, each saying what it means; empty if all is well.
-std::string counter_warnings(const RenderReport& report);
+// One line for each counter that is not 0, saying what it means; none if all is well.
+std::vector<std::string> counter_warnings(const RenderReport& report);
 
 std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loaded,
                                                           const PictureOptions& command,
