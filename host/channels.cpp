@@ -22,8 +22,10 @@ bool transport_is_colourless(const Scene& scene) {
     if (crystal && (scene.settings.coherence || medium.is_active() || medium.circular_waves || medium.frame.size() > 1)) return false;
     if (!constant(medium.rotation_deg_per_mm)) return false;
   }
+  if (std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& o) { return !o.face_surfaces.empty(); })) return false;
   return std::all_of(scene.polarizers.begin(), scene.polarizers.end(), [](const Polarizer& p) {
-    return p.kind != Polarizer::Kind::calcite || (constant(p.n_o) && constant(p.n_e));
+    return p.kind != Polarizer::Kind::fragment &&
+           (p.kind != Polarizer::Kind::calcite || (constant(p.n_o) && constant(p.n_e)));
   });
 }
 

@@ -58,10 +58,13 @@ void decide_light(const Scene& scene, Decision& d) {
   } else {
     d.leave(FEATURE_polarization, "nothing in the scene polarizes");
   }
-  if (d.on(FEATURE_polarization) && !scene.camera.polarizer) d.call(FEATURE_full_jones, "no analyzer at the camera");
+  const bool analyzer = scene.camera.polarizer && scene.polarizers[*scene.camera.polarizer].kind != Polarizer::Kind::fragment;
+  if (d.on(FEATURE_polarization) && !analyzer)
+    d.call(FEATURE_full_jones, scene.camera.polarizer ? "a plugin's element at the camera" : "no analyzer at the camera");
   if (!d.on(FEATURE_full_jones))
     d.leave(FEATURE_full_jones, scene.camera.polarizer ? "the analyzer leaves one row" : "no polarization");
   for (const Polarizer& polarizer : scene.polarizers) {
+    if (polarizer.kind == Polarizer::Kind::fragment) continue;
     const bool calcite = polarizer.kind == Polarizer::Kind::calcite;
     d.call(calcite ? FEATURE_calcite_polarizer : FEATURE_ideal_polarizer,
            std::string(calcite ? "calcite" : "ideal") + " polarizer" + at(polarizer.where));
@@ -116,6 +119,18 @@ void decide_media(const Scene& scene, Decision& d) {
   if (any_nonzero(scene.media.front().k[0])) d.call(FEATURE_absorption, "the surroundings");
 }
 
+void decide_fragments(const Scene& scene, const SceneFragments* fragments, Decision& d) {
+  const auto plugin = [&](int use) { return "plugin '" + scene.fragments[use].fragment->name + "'" + at(scene.fragments[use].where); };
+  for (const Polarizer& polarizer : scene.polarizers)
+    if (polarizer.kind == Polarizer::Kind::fragment) d.call(FEATURE_fragment_elements, plugin(polarizer.fragment));
+  for (const Object& object : scene.objects)
+    for (const FaceSurface& surface : object.face_surfaces)
+      d.call(FEATURE_fragment_surfaces, plugin(surface.fragment) + " on the " + object.kind + at(object.where));
+  if (!fragments) return;
+  if (!d.on(FEATURE_fragment_elements)) d.leave(FEATURE_fragment_elements, "no polarizer is a plugin's");
+  if (!d.on(FEATURE_fragment_surfaces)) d.leave(FEATURE_fragment_surfaces, "no face wears a plugin's surface");
+}
+
 void decide_shapes(const Scene& scene, const Geometry& geometry, Decision& d) {
   const auto where = [&](int object) { return scene.objects[object].kind + at(scene.objects[object].where); };
   for (const Sheet& sheet : geometry.sheets) {
@@ -155,12 +170,14 @@ Features decide_features(const Scene& scene, const Geometry& geometry) {
   decide_shapes(scene, geometry, d);
   if (is_crystal(scene, scene.media[geometry.cells[geometry.camera_cell].medium]))
     d.call(FEATURE_camera_in_crystal, "camera" + at(scene.camera.where));
+  Features out;
+  out.fragments = fragments_of(scene, geometry);
+  decide_fragments(scene, out.fragments.get(), d);
   const Channels channels = choose_channels(scene);
   if (scene.settings.error > 0 || scene.settings.sample_error > 0)
     d.call(FEATURE_path_signatures, scene.settings.error > 0 ? "an error is to be kept" : "a sampling error is to be kept");
   else
     d.leave(FEATURE_path_signatures, "every pixel gets as many samples");
-  Features out;
   const std::string wavelengths = std::to_string(scene.lambda_nm.size());
   if (channels.count <= few_channels) {
     d.call(FEATURE_lanes_over_pixels, std::to_string(channels.count) + (channels.shared ? " shape(s) of source spectrum" : " wavelength(s)"));

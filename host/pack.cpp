@@ -53,6 +53,7 @@ class Packer {
     pack_lights();
     pack_media();
     pack_polarizers();
+    pack_fragments();
     pack_cells();
     pack_sheets();
     return std::move(out_);
@@ -194,11 +195,25 @@ class Packer {
         transport_row(polarizer.n_e);
       }
       const int kind = polarizer.kind == Polarizer::Kind::calcite ? POLARIZER_CALCITE
+                       : polarizer.kind == Polarizer::Kind::fragment ? POLARIZER_FRAGMENT
                        : polarizer.kind == Polarizer::Kind::ideal ? POLARIZER_IDEAL
                                                                   : POLARIZER_IDEAL_ABSORBING;
-      out_.ints.insert(out_.ints.end(), {kind, first});
+      out_.ints.insert(out_.ints.end(), {kind, first, polarizer.fragment});
       add(polarizer.transmission_axis);
       add(polarizer.normal);
+    }
+  }
+
+  void pack_fragments() {
+    out_.fragments = fragments_of(scene_, geometry_);
+    header(HEADER_FRAGMENTS_AT) = ints_here();
+    header(HEADER_FRAGMENT_REALS) = reals_here();
+    if (!out_.fragments) return;
+    int first = 0;
+    for (const SceneFragments::Use& use : out_.fragments->uses) {
+      out_.ints.insert(out_.ints.end(), {use.index, first, use.fragment->reflects});
+      out_.reals.insert(out_.reals.end(), use.values.begin(), use.values.end());
+      first += static_cast<int>(use.values.size());
     }
   }
 
@@ -280,7 +295,12 @@ class Packer {
     header(HEADER_CELLS_AT) = ints_here();
     out_.ints.insert(out_.ints.end(), cell_ints.begin(), cell_ints.end());
     header(HEADER_FACES_AT) = ints_here();
-    for (const Face& face : geometry_.faces) out_.ints.push_back(face.emission);
+    const std::size_t faces_at = out_.ints.size();
+    for (const Face& face : geometry_.faces) out_.ints.insert(out_.ints.end(), {face.emission, -1});
+    for (const Cell& cell : geometry_.cells)
+      for (int f = cell.first_face; cell.object >= 0 && f < cell.first_face + cell.face_count; ++f)
+        out_.ints[faces_at + static_cast<std::size_t>(f) * FACE_INTS + FACE_SURFACE] =
+            surface_of_face(scene_.objects[cell.object], geometry_.faces[f].shape_face);
     header(HEADER_PATCHES_AT) = ints_here();
     out_.ints.insert(out_.ints.end(), patch_ints.begin(), patch_ints.end());
     header(HEADER_LISTS_AT) = ints_here();

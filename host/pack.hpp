@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/features.hpp"
+#include "host/fragments/scene_fragments.hpp"
 #include "host/scene.hpp"
 #include "host/solids/solids.hpp"
 
@@ -22,6 +23,8 @@ struct PackedScene {
   std::uint32_t features = 0;
   // mixing[c * wavelengths + w]: share of channel c in wavelength w; empty when channels are the wavelengths.
   std::vector<double> mixing;
+  std::shared_ptr<const SceneFragments> fragments;   // of plugins; null: none
+  KernelContents contents() const { return {features, fragments}; }
 };
 
 // Some of a scene's wavelengths, neighbours of one another.

@@ -5,11 +5,13 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "host/fragments/fragment.hpp"
 #include "sdl/tree.hpp"
 
 namespace nicol {
@@ -59,10 +61,10 @@ struct Medium {
 // ---- fragments: optics of surfaces and polarizing elements that plugins bring as OpenCL C ----
 // One use of a fragment: the same fragment with other values of its parameters is another one.
 struct FragmentUse {
-  std::string name;            // of the fragment, as its manifest says
-  std::string file, text;      // where its source lies, and the source
+  std::shared_ptr<const Fragment> fragment;
   std::vector<double> values;  // of its parameters, in the manifest's order and units
   Location where;              // the scene's `plugin` block
+  std::string place;           // the same for messages: "scene.pov:12"
 };
 
 // ---- polarizers ----

@@ -18,6 +18,7 @@ enum {
   HEADER_DELTA_ROW,   // row of N2^2 - N1^2 (MEDIUM_ROW_N) for media (1, 2): DELTA_ROW + medium1 * MEDIUM_COUNT + medium2
   HEADER_WAVELENGTH_ROW,  // rows of wavelengths: 1/lambda in 1/mm, then the width of the bin over lambda
   HEADER_CONICAL_RAYS,    // azimuths that sample the cone at a binormal, per sample; 0: none
+  HEADER_FRAGMENTS_AT, HEADER_FRAGMENT_REALS,  // uses of plugins' fragments: offsets into the ints and into the scalars
   HEADER_SIZE = 40,
 
   // cell: ints; lists of children and sheets lie in the lists section
@@ -25,8 +26,9 @@ enum {
   CELL_CHILD_COUNT, CELL_FIRST_SHEET, CELL_SHEET_COUNT, CELL_MEDIUM, CELL_PARENT, CELL_INTS,
   // cell: scalars centre x y z, radius around the centre that holds the whole cell
   CELL_CENTRE = 0, CELL_RADIUS = 3, CELL_REALS = 4,
-  // face: ints (light: an opaque light for rays from outside, -1: none); scalars normal x y z, offset
-  FACE_LIGHT = 0, FACE_INTS,
+  // face: ints (light: an opaque light for rays from outside, -1: none; surface: a fragment's use, -1: none); scalars normal x y z,
+  // offset
+  FACE_LIGHT = 0, FACE_SURFACE, FACE_INTS,
   FACE_REALS = 4,
   // patch on a face of CELL; TWIN: the patch of the other cell (seam, gap, contact)
   PATCH_BEHIND = 0, PATCH_CELL, PATCH_FACE, PATCH_TWIN, PATCH_SHEET, PATCH_LIGHT,
@@ -42,11 +44,14 @@ enum {
   // light
   LIGHT_ROW = 0, LIGHT_POLARIZER, LIGHT_ONE_SIDED, LIGHT_INTS,
   // polarizer
-  POLARIZER_KIND = 0, POLARIZER_ROW, POLARIZER_INTS,
+  POLARIZER_KIND = 0, POLARIZER_ROW, POLARIZER_USE, POLARIZER_INTS,
   POLARIZER_AXIS = 0, POLARIZER_NORMAL = 3, POLARIZER_REALS = 6,
-  POLARIZER_IDEAL = 0, POLARIZER_IDEAL_ABSORBING, POLARIZER_CALCITE,
+  POLARIZER_IDEAL = 0, POLARIZER_IDEAL_ABSORBING, POLARIZER_CALCITE, POLARIZER_FRAGMENT,
   // rows of a calcite polarizer from POLARIZER_ROW on
   POLARIZER_ROW_N_O = 0, POLARIZER_ROW_N_E, POLARIZER_ROWS,
+  // use of a fragment: which of the scene's fragments (scene_fragments.h), where its parameters begin among those of all uses, whether
+  // it reflects (elements)
+  FRAGMENT_INDEX = 0, FRAGMENT_FIRST, FRAGMENT_REFLECTS, FRAGMENT_INTS,
   // medium: first row, flags, kind of waves (WAVES_* of waves.h), optically active crystal
   MEDIUM_ROW = 0, MEDIUM_ABSORBS, MEDIUM_ROTATES, MEDIUM_WAVES, MEDIUM_ACTIVE, MEDIUM_INTS,
   // rows of a medium from MEDIUM_ROW on. N: index; of crystals the one that the others are counted from

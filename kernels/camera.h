@@ -30,6 +30,14 @@ FUNCTION Path camera_path(PRIVATE const SceneView* view, real u, real v, PRIVATE
   path.jones.e[1] = zero;
   path.jones.f[1] = one;
   int analyzer = view->header[HEADER_CAMERA_POLARIZER];
+  if (has_elements(view) && analyzer >= 0 && is_element(view, analyzer)) {
+    pass_element(view, &path, analyzer);
+    if (!has(polarization, view)) return path;
+    // the rows stay those of the picture's axes, and the path goes on in them
+    turn_axes(view, &path.jones, dot3(*picture_x, path.axis), dot3(*picture_x, second_axis(&path)));
+    path.axis = *picture_x;
+    return path;
+  }
   if ((has(ideal_polarizer, view) || has(calcite_polarizer, view)) && analyzer >= 0) {
     PassingState state = passing_state(view, analyzer, path.ray.direction);
     path.axis = state.axis;

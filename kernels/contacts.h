@@ -126,10 +126,21 @@ FUNCTION void enter_behind(PRIVATE const SceneView* view, PRIVATE Path* path, in
   }
 }
 
-// Through a polarizer that the path stands on, and on to what touches its far side.
-FUNCTION void through_sheet(PRIVATE const SceneView* view, PRIVATE Path* path, int sheet, PRIVATE PathStack* stack,
+// What an element throws back waits; it goes on into patch `before` (-1: free).
+FUNCTION void keep_reflected(PRIVATE const SceneView* view, Path back, int sheet, int before, PRIVATE PathStack* stack,
+                             PRIVATE Gathered* sum, GLOBAL event_count* counters) {
+  reflect_off_element(view, &back, view->sheets[sheet * SHEET_INTS + SHEET_POLARIZER]);
+  back.ray.from_sheet = sheet;
+  back.pinned = before;
+  if (keep_bright(view, &back, sum, counters)) push(view, stack, back, sum, counters);
+}
+
+// Through a polarizer that the path stands on, and on to what touches its far side. `before`: the patch that it left.
+FUNCTION void through_sheet(PRIVATE const SceneView* view, PRIVATE Path* path, int sheet, int before, PRIVATE PathStack* stack,
                             PRIVATE Gathered* sum, GLOBAL event_count* counters) {
-  pass_polarizer(view, path, view->sheets[sheet * SHEET_INTS + SHEET_POLARIZER]);
+  int polarizer = view->sheets[sheet * SHEET_INTS + SHEET_POLARIZER];
+  if (reflects(view, polarizer)) keep_reflected(view, *path, sheet, before, stack, sum, counters);
+  pass_polarizer(view, path, polarizer);
   path->ray.from_sheet = sheet;
   enter_behind(view, path, sheet, stack, sum, counters);
 }

@@ -9,6 +9,8 @@
 typedef struct {
   vec3 normal;
   int medium1, medium2;
+  int from_inside;    // medium 1 is that of the solid whose face it is
+  lane_int surface;   // use of a plugin's fragment that it wears, -1: none
 } Interface;
 
 FUNCTION int pair_row(PRIVATE const SceneView* view, int medium1, int medium2) {
@@ -40,6 +42,53 @@ FUNCTION void go_through(PRIVATE const SceneView* view, PRIVATE Path* path, int 
   path->axis = u;
 }
 
+// The fragment's input for a face whose bare coefficients are `f`.
+FUNCTION SurfaceIn surface_input(PRIVATE const SceneView* view, PRIVATE const Interface* face, real cos_i, mask total,
+                                 PRIVATE const SurfaceOut* f) {
+  SurfaceIn in;
+  in.lambda_nm = wavelength_nm(view);
+  in.n1 = spectral(view, medium_row(view, face->medium1, MEDIUM_ROW_N));
+  in.n2 = spectral(view, medium_row(view, face->medium2, MEDIUM_ROW_N));
+  in.k1 = spectral(view, medium_row(view, face->medium1, MEDIUM_ROW_K));
+  in.k2 = spectral(view, medium_row(view, face->medium2, MEDIUM_ROW_K));
+  real delta = spectral(view, pair_row(view, face->medium1, face->medium2));
+  real p1 = in.n1 * cos_i;
+  p1 = pick(p1 > LEAST_P1, p1, LEAST_P1);
+  in.cosine = p1 / in.n1;
+  in.p1 = complex_of(p1, in.k1 * in.cosine);
+  in.eps1 = complex_of(in.n1 * in.n1 - in.k1 * in.k1, lanes(2) * in.n1 * in.k1);
+  cplx change = complex_of(delta - (in.k2 * in.k2 - in.k1 * in.k1), lanes(2) * (in.n2 * in.k2 - in.n1 * in.k1));
+  in.eps2 = cadd(in.eps1, change);
+  in.p2 = forward_root(cadd(cmul(in.p1, in.p1), change), total);
+  in.r_s = f->r_s;
+  in.r_p = f->r_p;
+  in.t_s = f->t_s;
+  in.t_p = f->t_p;
+  in.from_inside = face->from_inside;
+  return in;
+}
+
+// What the surfaces of plugins make of the coefficients, in the lanes whose face wears one. Under total reflection nothing goes through.
+FUNCTION void wear_surfaces(PRIVATE const SceneView* view, PRIVATE const Interface* face, real cos_i, mask total,
+                            PRIVATE SurfaceOut* f) {
+  lane_int left = face->surface;
+  if (!any_lane(left >= lane_ints(0))) return;
+  SurfaceIn in = surface_input(view, face, cos_i, total, f);
+  cplx none = complex_of(lanes(0), lanes(0));
+  for (int lead = largest_lane(left); lead >= 0; lead = largest_lane(left)) {
+    GLOBAL const int* use = fragment_use(view, lead);
+    SurfaceOut out;
+    out.r_s = out.r_p = out.t_s = out.t_p = none;
+    run_surface(use[FRAGMENT_INDEX], &in, view->fragment_reals + use[FRAGMENT_FIRST], &out);
+    mask here = left == lane_ints(lead);
+    f->r_s = cpick(here, out.r_s, f->r_s);
+    f->r_p = cpick(here, out.r_p, f->r_p);
+    f->t_s = cpick(here, cpick(total, none, out.t_s), f->t_s);
+    f->t_p = cpick(here, cpick(total, none, out.t_p), f->t_p);
+    left = pick(here, lane_ints(-1), left);
+  }
+}
+
 // Splits the path at the interface: `path` (already standing on the face, axis = u) becomes the reflected
 // one, the refracted one is returned; both keep position and cell of `path`, the caller moves them.
 FUNCTION Path split(PRIVATE const SceneView* view, PRIVATE Path* path, Interface face, PRIVATE Gathered* sum) {
@@ -68,6 +117,19 @@ FUNCTION Path split(PRIVATE const SceneView* view, PRIVATE Path* path, Interface
     real off_s = norm2(f.r_s) + f.t_s * f.t_s - lanes(1), off_p = norm2(f.r_p) + f.t_p * f.t_p - lanes(1);
     real tolerance = lanes(sizeof(scalar) == 8 ? 1e-12f : 3e-6f);
     sum->energy_off = sum->energy_off | (abs_of(off_s) > tolerance) | (abs_of(off_p) > tolerance);
+  }
+  if (has_surfaces(view)) {
+    SurfaceOut worn;
+    worn.r_s = f.r_s;
+    worn.r_p = f.r_p;
+    worn.t_s = t_s;
+    worn.t_p = t_p;
+    wear_surfaces(view, &face, cos_i, f.total, &worn);
+    f.r_s = worn.r_s;
+    f.r_p = worn.r_p;
+    t_s = worn.t_s;
+    t_p = worn.t_p;
+    absorbs = 1;   // amplitudes are complex
   }
   Path refracted = *path;
   refracted.level = ++path->level;

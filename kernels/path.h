@@ -1,6 +1,7 @@
 // A path traced from the camera, what it gathers, and what lights give it.
 #ifndef NICOL_PATH_H
 #define NICOL_PATH_H
+#include "element.h"
 #include "hit.h"
 #include "jones.h"
 #include "optical_rotation.h"
@@ -71,6 +72,42 @@ FUNCTION void sign(PRIVATE const SceneView* view, PRIVATE const Path* path, mask
 
 FUNCTION vec3 second_axis(PRIVATE const Path* path) { return cross3(path->axis, path->ray.direction); }
 
+// J M for an element: `m` in the axes that it was asked for, the path's own having been turned to a->u.
+FUNCTION void times_element(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE const ElementAxes* a, JonesMatrix m) {
+  if (!has(polarization, view)) {
+    path->jones.e[0].re *= lanes(0.5) * (norm2(m.ss) + norm2(m.sp) + norm2(m.ps) + norm2(m.pp));
+    return;
+  }
+  cplx turn = renew_phase(complex_of(dot3(path->axis, a->u), dot3(second_axis(path), a->u)));
+  turn_axes(view, &path->jones, turn.re, turn.im);
+  path->axis = a->u;
+  for (int r = 0; r < jones_rows(view); ++r) {
+    cplx e = path->jones.e[r], f = path->jones.f[r];
+    path->jones.e[r] = csub(cmul(e, m.ss), cmul(f, m.ps));
+    path->jones.f[r] = csub(cmul(f, m.pp), cmul(e, m.sp));
+  }
+}
+
+// Index of the medium that the path is in.
+FUNCTION real index_around(PRIVATE const SceneView* view, PRIVATE const Path* path) {
+  return spectral(view, medium_row(view, cell_of(view, path->ray.cell)[CELL_MEDIUM], MEDIUM_ROW_N));
+}
+
+FUNCTION void pass_element(PRIVATE const SceneView* view, PRIVATE Path* path, int polarizer) {
+  vec3 d = path->ray.direction;
+  ElementAxes a = element_axes(view, polarizer, d);
+  times_element(view, path, &a, element_matrices(view, polarizer, &a, scale3(lanes(-1), d), index_around(view, path)).t);
+}
+
+// The path goes back from the element: what comes along it was thrown back.
+FUNCTION void reflect_off_element(PRIVATE const SceneView* view, PRIVATE Path* path, int polarizer) {
+  vec3 d = path->ray.direction;
+  ElementAxes a = element_axes(view, polarizer, d);
+  vec3 mirrored = renew_unit(along(lanes(-2) * dot3(d, a.forward), a.forward, d));
+  times_element(view, path, &a, element_matrices(view, polarizer, &a, scale3(lanes(-1), mirrored), index_around(view, path)).r);
+  path->ray.direction = mirrored;
+}
+
 // Adds the intensities of one row-pair of fields (a at the camera's x, b at y), times `half_radiance`.
 FUNCTION void gather_fields(PRIVATE const SceneView* view, real half_radiance, cplx a, cplx b, PRIVATE Gathered* sum) {
   real xx = half_radiance * norm2(a);
@@ -104,6 +141,12 @@ FUNCTION void gather_light(PRIVATE const SceneView* view, PRIVATE const Path* pa
   GLOBAL const int* record = view->lights + light * LIGHT_INTS;
   real radiance = pick(where, spectral(view, record[LIGHT_ROW]), lanes(0));
   int polarizer = record[LIGHT_POLARIZER];
+  if (has_elements(view) && polarizer >= 0 && is_element(view, polarizer)) {
+    Path behind = *path;
+    pass_element(view, &behind, polarizer);
+    gather_unpolarized(view, &behind, radiance, sum);
+    return;
+  }
   if ((has(ideal_polarizer, view) || has(calcite_polarizer, view)) && polarizer >= 0) {
     PassingState state = passing_state(view, polarizer, path->ray.direction);
     real passed = radiance * state.amplitude * state.amplitude;
@@ -135,6 +178,10 @@ FUNCTION mask shines_towards(PRIVATE const SceneView* view, PRIVATE const Path* 
 // J M for a polarizer: the path goes on in the state that passes.
 FUNCTION void pass_polarizer(PRIVATE const SceneView* view, PRIVATE Path* path, int polarizer) {
   WITNESS(passes_polarizer(polarizer));
+  if (has_elements(view) && is_element(view, polarizer)) {
+    pass_element(view, path, polarizer);
+    return;
+  }
   PassingState state = passing_state(view, polarizer, path->ray.direction);
   if (!has(polarization, view)) {
     path->jones.e[0].re = lanes(0.5) * state.amplitude * state.amplitude * path->jones.e[0].re;

@@ -68,6 +68,8 @@ typedef uint event_count;
 #define abs_of(x) fabs(x)
 #define rint_of(x) rint(x)
 #define exp_of(x) exp(x)
+#define cos_of(x) cos(x)
+#define sin_of(x) sin(x)
 #define fma_of(a, b, c) fma((a), (b), (c))
 
 #else  // C++17
@@ -83,6 +85,8 @@ FUNCTION real sqrt_of(real x) { return std::sqrt(x); }
 FUNCTION real abs_of(real x) { return std::fabs(x); }
 FUNCTION real rint_of(real x) { return std::rint(x); }
 FUNCTION real exp_of(real x) { return std::exp(x); }
+FUNCTION real cos_of(real x) { return std::cos(x); }
+FUNCTION real sin_of(real x) { return std::sin(x); }
 FUNCTION real fma_of(real a, real b, real c) { return std::fma(a, b, c); }
 #else
 typedef scalar real __attribute__((vector_size(LANES * sizeof(scalar))));
@@ -114,6 +118,8 @@ FUNCTION void store_lanes(real v, scalar* p) {
   }
 EACH_LANE(rint)
 EACH_LANE(exp)
+EACH_LANE(cos)
+EACH_LANE(sin)
 FUNCTION real abs_of(real x) { return x < 0 ? -x : x; }
 FUNCTION real fma_of(real a, real b, real c) {
   real r;

@@ -17,6 +17,7 @@ typedef struct {
   GLOBAL const int* polarizers;
   GLOBAL const int* media;
   GLOBAL const int* lists;
+  GLOBAL const int* fragments;
   GLOBAL const scalar* camera;
   GLOBAL const scalar* cell_reals;
   GLOBAL const scalar* face_reals;
@@ -24,6 +25,7 @@ typedef struct {
   GLOBAL const scalar* edges;
   GLOBAL const scalar* sheet_reals;
   GLOBAL const scalar* polarizer_reals;
+  GLOBAL const scalar* fragment_reals;
   GLOBAL const scalar* tables;
   scalar adc_bailout;
   scalar conical_spread;            // half the angle of the bundle that one ray stands for
@@ -46,6 +48,7 @@ FUNCTION SceneView view_scene(GLOBAL const int* ints, GLOBAL const scalar* reals
   v.polarizers = ints + ints[HEADER_POLARIZERS_AT];
   v.media = ints + ints[HEADER_MEDIA_AT];
   v.lists = ints + ints[HEADER_LISTS_AT];
+  v.fragments = ints + ints[HEADER_FRAGMENTS_AT];
   v.camera = reals + ints[HEADER_CAMERA_REALS];
   v.cell_reals = reals + ints[HEADER_CELL_REALS];
   v.face_reals = reals + ints[HEADER_FACE_REALS];
@@ -53,6 +56,7 @@ FUNCTION SceneView view_scene(GLOBAL const int* ints, GLOBAL const scalar* reals
   v.edges = reals + ints[HEADER_EDGE_REALS];
   v.sheet_reals = reals + ints[HEADER_SHEET_REALS];
   v.polarizer_reals = reals + ints[HEADER_POLARIZER_REALS];
+  v.fragment_reals = reals + ints[HEADER_FRAGMENT_REALS];
   v.tables = tables;
   v.adc_bailout = reals[ints[HEADER_SETTING_REALS] + SETTING_ADC_BAILOUT];
   v.conical_spread = reals[ints[HEADER_SETTING_REALS] + SETTING_CONICAL_SPREAD];

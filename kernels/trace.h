@@ -95,7 +95,8 @@ FUNCTION void meet_behind(PRIVATE const SceneView* view, PRIVATE Path* through, 
                           PRIVATE PathStack* stack, PRIVATE Gathered* sum, GLOBAL event_count* counters) {
   if (has(light_contacts, view)) gather_contact_lights(view, through, cell, event->patch, sum);
   if (has(polarizer_contacts, view) && event->behind == BEHIND_POLARIZER)
-    through_sheet(view, through, view->patches[event->met_patch * PATCH_INTS + PATCH_SHEET], stack, sum, counters);
+    through_sheet(view, through, view->patches[event->met_patch * PATCH_INTS + PATCH_SHEET], event->met_patch, stack, sum,
+                  counters);
   if (has(solid_contacts, view) && event->behind == BEHIND_CELL_GAP)
     through->pinned = view->patches[event->met_patch * PATCH_INTS + PATCH_TWIN];
 }
@@ -107,7 +108,7 @@ FUNCTION void meet_before(PRIVATE const SceneView* view, PRIVATE Path* back, int
   GLOBAL const int* record = view->patches + pinned * PATCH_INTS;
   if (has(solid_contacts, view) && record[PATCH_BEHIND] == BEHIND_CELL_GAP) back->pinned = record[PATCH_TWIN];
   if (has(polarizer_contacts, view) && record[PATCH_BEHIND] == BEHIND_POLARIZER)
-    through_sheet(view, back, record[PATCH_SHEET], stack, sum, counters);
+    through_sheet(view, back, record[PATCH_SHEET], pinned, stack, sum, counters);
 }
 
 // True if the child is worth following. What leaves for good is added whatever its weight; adc_bailout
@@ -120,11 +121,25 @@ FUNCTION int goes_on(PRIVATE const SceneView* view, PRIVATE Path* child, PRIVATE
 
 FUNCTION int leaves_cell(PRIVATE const Event* event) { return event->lead == KEY_EXIT || event->met_patch >= 0; }
 
+// Of faces that wear a plugin's surface, its use, per lane; -1: a bare face.
+FUNCTION lane_int surfaces_met(PRIVATE const SceneView* view, PRIVATE const Event* event, int cell) {
+  lane_int use = lane_ints(-1);
+  int first = cell_of(view, cell)[CELL_FIRST_FACE], count = cell_of(view, cell)[CELL_FACE_COUNT];
+  for (int face = first; face < first + count; ++face) {
+    int worn = view->faces[face * FACE_INTS + FACE_SURFACE];
+    if (worn >= 0) use = pick(event->hit.face == lane_ints(face), lane_ints(worn), use);
+  }
+  return use;
+}
+
 FUNCTION Interface interface_between(PRIVATE const SceneView* view, PRIVATE const Event* event, int cell, int target) {
   Interface face;
   face.normal = event->hit.normal;
   face.medium1 = cell_of(view, cell)[CELL_MEDIUM];
   face.medium2 = cell_of(view, target)[CELL_MEDIUM];
+  face.from_inside = leaves_cell(event);
+  face.surface = lane_ints(-1);
+  if (has_surfaces(view)) face.surface = surfaces_met(view, event, face.from_inside ? cell : target);
   return face;
 }
 
@@ -217,7 +232,7 @@ FUNCTION int step(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE Pat
   GLOBAL const int* patch = view->patches + event.met_patch * PATCH_INTS;
   if (has(polarizing_sheets, view) && event.lead >= first_sheet && event.lead < first_patch) {
     ++path->level;
-    through_sheet(view, path, event.lead - first_sheet, stack, sum, counters);
+    through_sheet(view, path, event.lead - first_sheet, -1, stack, sum, counters);
     return keep_bright(view, path, sum, counters);
   }
   if (has(solid_contacts, view) && event.behind == BEHIND_SEAM) {
@@ -227,9 +242,11 @@ FUNCTION int step(PRIVATE const SceneView* view, PRIVATE Path* path, PRIVATE Pat
   }
   if (has(polarizer_contacts, view) && event.behind == BEHIND_POLARIZER && patch[PATCH_CELL] != path->ray.cell) {
     // a covered face met from outside: through the polarizer, then the face
-    path->pinned = event.met_patch;
-    pass_polarizer(view, path, view->sheets[patch[PATCH_SHEET] * SHEET_INTS + SHEET_POLARIZER]);
+    int polarizer = view->sheets[patch[PATCH_SHEET] * SHEET_INTS + SHEET_POLARIZER];
     ++path->level;
+    if (reflects(view, polarizer)) keep_reflected(view, *path, patch[PATCH_SHEET], -1, stack, sum, counters);
+    path->pinned = event.met_patch;
+    pass_polarizer(view, path, polarizer);
     return keep_bright(view, path, sum, counters);
   }
   WITNESS(meets_face(path->ray.cell, cell_beyond(view, path, &event), path->level,

@@ -14,6 +14,7 @@ namespace nicol {
 
 struct RawObject;      // parts.hpp
 struct BoundInterior;  // parts.hpp
+struct Manifest;       // host/fragments/manifest.hpp
 
 // Thrown once the budget is spent or too much has been complained about; bind() catches it.
 struct GiveUp {};
@@ -42,6 +43,7 @@ class Context {
   // Of a block in one hand and one orientation; and of the values that this comes to.
   std::map<std::tuple<const sdl::Block*, bool, std::array<double, 9>>, int> medium_of_placed;
   std::map<std::vector<double>, int> medium_of_values;
+  std::map<std::string, std::shared_ptr<const Manifest>> manifests;  // of plugins' fragments, by file
   std::size_t transform_count = 0;
 
   // The same complaint about the same place (a shared block) is made once.

@@ -80,6 +80,8 @@ void add_modifier_rules(Context* c, RawObject* r, Schema& schema) {
                    "a sheet or a face that shines"});
   rules.push_back({"polarizer", "{}", [=](const Args& a) { r->polarizer = a.block; },
                    "a sheet that polarizes"});
+  rules.push_back({"surface", "{}", [=](const Args& a) { r->surfaces.push_back(a.block); },
+                   "what a plugin makes of the faces of a solid"});
   rules.push_back({"optical_contact", "b",
                    [=](const Args& a) { r->optical_contact = a.numbers[0] != 0; },
                    "touches its neighbours without a gap"});

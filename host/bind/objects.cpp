@@ -68,6 +68,8 @@ bool nothing_vanishes(Context& context, const PolarizerPlane& plane, Location wh
 
 void fill_sheet(Context& context, const Chain* chain, const PolarizerPlane& plane, Object& object) {
   const Location where = object.where;
+  if (!nearest(chain, &RawObject::surfaces).empty())
+    context.error(where, "'surface' is worn by the faces of a solid, not by a " + object.kind);
   const auto& lights = nearest(chain, &RawObject::lights);
   const sdl::Block* polarizer = nearest(chain, &RawObject::polarizer);
   if (lights.empty() == (polarizer == nullptr)) {
@@ -152,6 +154,27 @@ void add_face_lights(Context& context, const Chain* chain, const ConvexShape& sh
   }
 }
 
+// Surfaces of plugins; `shape`: null if single faces cannot be named.
+void add_surfaces(Context& context, const Chain* chain, const ConvexShape* shape, Object& object) {
+  for (const sdl::Block* block : nearest(chain, &RawObject::surfaces)) {
+    RawSurface raw;
+    const auto use = bind_surface(context, *block, raw);
+    if (!use) continue;
+    if (!raw.face) {
+      object.face_surfaces.push_back({-1, *use});
+    } else if (!shape) {
+      context.error(block->where,
+                    "'face' names a face of a convex solid; this surface is worn by all faces "
+                    "or none");
+    } else if (const auto face = nearest_face(*shape, *raw.face)) {
+      object.face_surfaces.push_back({*face, *use});
+    } else {
+      context.error(block->where,
+                    "'face' is as near to two faces, or to none: name one by its outward normal");
+    }
+  }
+}
+
 void tell_mirror(Context& context, const Chain* chain, const Object& object) {
   if (!object.medium) return;
   const Medium& medium = context.scene.media[*object.medium];
@@ -192,6 +215,7 @@ void add_csg(Context& context, const Chain* chain, Object& object) {
     context.error(object.where, "faces of a solid that is not convex cannot shine; lay a luminous "
                                 "polygon on them");
   fill_solid(context, chain, false, object);
+  add_surfaces(context, chain, nullptr, object);
   object.shape = std::move(*shape);
   context.scene.objects.push_back(std::move(object));
 }
@@ -201,6 +225,7 @@ void add_convex(Context& context, const Chain* chain, Object& object) {
   if (!shape) return;
   add_face_lights(context, chain, *shape, object);
   fill_solid(context, chain, object.face_emissions.size() == shape->faces.size(), object);
+  add_surfaces(context, chain, &*shape, object);
   object.shape = *shape;
   context.scene.objects.push_back(std::move(object));
 }
@@ -232,6 +257,7 @@ void add_prism(Context& context, const Chain* chain, Object& object) {
   if (!nearest(chain, &RawObject::lights).empty())
     context.error(object.where, "faces of a prism cannot shine; lay a luminous polygon on them");
   fill_solid(context, chain, false, object);
+  add_surfaces(context, chain, nullptr, object);
   object.shape = *shape;
   context.scene.objects.push_back(std::move(object));
 }

@@ -43,6 +43,7 @@ struct PolarizerPlane {
 struct RawPolarizer {
   Polarizer::Kind kind = Polarizer::Kind::ideal;
   bool calcite = false, absorbing = false;
+  const sdl::Block* plugin = nullptr;
   std::optional<double> angle_deg;
   std::optional<Vec3> axis;
   IndexFormula index_o = calcite_ordinary(), index_e = calcite_extraordinary();
@@ -54,6 +55,16 @@ std::optional<int> bind_polarizer(Context& context, const sdl::Block& block,
 // corners.
 PolarizerPlane plane_of_face(Vec3 normal, const Affines& transforms);
 PolarizerPlane plane_of_polygon(const std::vector<Vec3>& corners, const Affines& transforms);
+
+// ---- fragment_words.cpp: plugin { } of a polarizer or surface ----
+// Index into Scene::fragments; nullopt, and told, after an error.
+std::optional<int> bind_fragment(Context& context, const sdl::Block& block, Fragment::Kind kind);
+struct RawSurface {
+  const sdl::Block* plugin = nullptr;
+  std::optional<Vec3> face;
+};
+Schema surface_schema(Context& context, RawSurface& raw);
+std::optional<int> bind_surface(Context& context, const sdl::Block& block, RawSurface& raw);
 
 // ---- light.cpp ----
 Schema spectrum_schema(Context& context, SpectrumFormula& formula);
@@ -192,7 +203,7 @@ struct RawObject {
   std::shared_ptr<RawGem> gem;
   const sdl::Block* interior = nullptr;
   const sdl::Block* polarizer = nullptr;
-  std::vector<const sdl::Block*> lights;
+  std::vector<const sdl::Block*> lights, surfaces;
   bool optical_contact = false, inverse = false;
   bool sound = false;  // no error in its words
 };

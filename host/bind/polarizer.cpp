@@ -32,6 +32,10 @@ bool fits_together(Context& context, const RawPolarizer& raw, Location where) {
     context.error(where, "Expected 'angle' or 'axis' in 'polarizer'");
     return false;
   }
+  if (raw.plugin && (raw.calcite || raw.absorbing)) {
+    context.error(where, "a polarizer is a plugin's or one of nicol's, not both");
+    return false;
+  }
   if (raw.calcite && raw.absorbing) {
     context.error(where, "'projection' belongs to an ideal polarizer, not to calcite");
     return false;
@@ -40,6 +44,7 @@ bool fits_together(Context& context, const RawPolarizer& raw, Location where) {
 }
 
 Polarizer::Kind kind_of(const RawPolarizer& raw) {
+  if (raw.plugin) return Polarizer::Kind::fragment;
   if (raw.calcite) return Polarizer::Kind::calcite;
   return raw.absorbing ? Polarizer::Kind::ideal_absorbing : Polarizer::Kind::ideal;
 }
@@ -70,7 +75,9 @@ Schema polarizer_schema(Context& context, RawPolarizer& raw) {
        {"index_o", "{}", [=](const Args& a) { bind_index(*c, "index_o", *a.block, r->index_o); },
         "calcite: ordinary index (Ghosh 1999)"},
        {"index_e", "{}", [=](const Args& a) { bind_index(*c, "index_e", *a.block, r->index_e); },
-        "calcite: extraordinary index (Ghosh 1999)"}},
+        "calcite: extraordinary index (Ghosh 1999)"},
+       {"plugin", "{}", [=](const Args& a) { r->plugin = a.block; },
+        "\"NAME\" parameter value ...: Jones matrices of a plugin's fragment; `angle` is that of its x axis"}},
       {}};
 }
 
@@ -89,6 +96,11 @@ std::optional<int> bind_polarizer(Context& context, const sdl::Block& block,
     p.transmission_axis = *axis;
   } else {
     p.transmission_axis = plane.x * cos_deg(*raw.angle_deg) + plane.y * sin_deg(*raw.angle_deg);
+  }
+  if (raw.plugin) {
+    const auto use = bind_fragment(context, *raw.plugin, Fragment::Kind::element);
+    if (!use) return std::nullopt;
+    p.fragment = *use;
   }
   if (raw.calcite) {
     p.n_o = sample_index(context, raw.index_o, block.where, "'index_o' of the polarizer");

@@ -98,6 +98,8 @@ std::string vocabulary() {
   print(out, camera_schema(context, camera));
   print(out, polarizer_schema(context, polarizer));
   print(out, luminous_schema(context, luminous));
+  RawSurface surface;
+  print(out, surface_schema(context, surface));
   print(out, spectrum_schema(context, spectrum));
   print(out, interior_schema(context, medium));
   print(out, index_schema(context, "index", index));

@@ -11,6 +11,7 @@
 
 #include "host/bind/bind.hpp"
 #include "host/crystal_rows.hpp"
+#include "host/fragments/scene_fragments.hpp"
 #include "kernels/waves_kinds.h"
 
 namespace nicol::engine {
@@ -182,6 +183,8 @@ ReadScene read_scene(const std::string& path, const SceneOptions& options, Expec
   if (!diagnostics.failed()) {
     loaded.geometry = build_geometry(loaded.scene, diagnostics);
     refuse_polarizers_in_crystals(loaded.scene, loaded.geometry, diagnostics);
+    refuse_surfaces(loaded.scene, loaded.geometry, diagnostics);
+    for (FragmentUse& use : loaded.scene.fragments) use.place = loaded.place(use.where);
   }
   read.whole = !diagnostics.failed();
   if (read.whole) loaded.features = decide_features(loaded.scene, loaded.geometry);

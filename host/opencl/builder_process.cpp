@@ -9,10 +9,14 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "host/opencl/program.hpp"
 
 namespace nicol {
 namespace {
@@ -38,14 +42,31 @@ int wait_for(pid_t process, const std::atomic<bool>* stop) {
   }
 }
 
-// Nothing of what it writes is wanted.
-int run_silently(std::vector<std::string> arguments, const std::atomic<bool>* stop) {
+// A file without a name that holds the text, to be read from its beginning. Null if there can be none.
+using TextFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+TextFile nameless_file(const std::string& text) {
+  TextFile file(std::tmpfile(), std::fclose);
+  if (file && (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() || std::fflush(file.get()) != 0 ||
+               std::fseek(file.get(), 0, SEEK_SET) != 0))
+    file.reset();
+  return file;
+}
+
+std::string all_of_standard_input() {
+  std::string text;
+  char part[4096];
+  for (std::size_t count = 0; (count = std::fread(part, 1, sizeof part, stdin)) > 0;) text.append(part, count);
+  return text;
+}
+
+// It reads `input`; nothing of what it writes is wanted.
+int run_silently(std::vector<std::string> arguments, std::FILE* input, const std::atomic<bool>* stop) {
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, ::fileno(input), STDIN_FILENO);
   for (int descriptor : {STDOUT_FILENO, STDERR_FILENO})
     posix_spawn_file_actions_addopen(&actions, descriptor, "/dev/null", O_WRONLY, 0);
   pid_t process = 0;
@@ -56,11 +77,13 @@ int run_silently(std::vector<std::string> arguments, const std::atomic<bool>* st
 
 }  // namespace
 
-bool build_in_own_process(const Device& device, std::uint32_t features, const KernelOptions& options) {
+bool build_in_own_process(const Device& device, std::uint32_t features, const std::string& fragments, const KernelOptions& options) {
   if (!serves) return false;
+  const TextFile input = nameless_file(fragments);
+  if (!input) return false;
   const bool done = run_silently({"nicol", build_switch, std::to_string(info(device).index), std::to_string(features),
                        std::to_string(options.lanes), options.real_double ? "double" : "float",
-                       options.generic ? "generic" : "specialised"}, options.stop) == built;
+                       options.generic ? "generic" : "specialised"}, input.get(), options.stop) == built;
   if (options.stop && *options.stop) throw DeviceError("the building of a kernel was given up");
   return done;
 }
@@ -74,7 +97,7 @@ std::optional<int> serve_as_builder(int argc, const char* const* argv) {
     options.lanes = std::atoi(argv[4]);
     options.real_double = std::string(argv[5]) == "double";
     options.generic = std::string(argv[6]) == "generic";
-    prepare_kernel(*open_device(argv[2]), static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10)), options);
+    build_kernel(*open_device(argv[2]), static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10)), all_of_standard_input(), options);
     return built;
   } catch (const std::exception&) {
     return failed;   // who asked builds it too, and tells why that fails

@@ -39,6 +39,7 @@ bool is_guarded(const std::string& text) {
 
 class Expander {
  public:
+  explicit Expander(const std::string& fragments) : fragments_(fragments) {}
   std::string expand(const std::string& name) {
     add(name, "", 0, true);
     return out_.str();
@@ -47,6 +48,11 @@ class Expander {
  private:
   void add(const std::string& name, const std::string& from, int from_line, bool unconditional);
 
+  std::string text_of(const std::string& name) const {
+    return name == "scene_fragments.h" && !fragments_.empty() ? fragments_ : kernel_file(name);
+  }
+
+  const std::string& fragments_;
   std::ostringstream out_;
   std::set<std::string> done_;
   std::vector<std::string> open_;
@@ -57,7 +63,7 @@ void Expander::add(const std::string& name, const std::string& from, int from_li
   static const std::regex block_start(R"(^\s*#\s*if.*)"), block_end(R"(^\s*#\s*endif.*)");
   for (const std::string& outer : open_)
     if (outer == name) throw DeviceError(fmt::format("{}:{}: '{}' includes itself", from, from_line, name));
-  const std::string text = kernel_file(name);
+  const std::string text = text_of(name);
   const bool guarded = is_guarded(text);
   if (guarded && done_.count(name)) return;
   if (guarded && unconditional) done_.insert(name);
@@ -93,6 +99,6 @@ std::string kernel_file(const std::string& name) {
   return embedded_file(name);
 }
 
-std::string expand_includes(const std::string& name) { return Expander().expand(name); }
+std::string expand_includes(const std::string& name, const std::string& fragments) { return Expander(fragments).expand(name); }
 
 }  // namespace nicol

@@ -20,7 +20,7 @@ std::string kernel_file(const std::string& name);
 
 // `name` with every #include "..." replaced by its text, and #line directives, so that build logs name file
 // and line. One source for clBuildProgram: -I with a space in the path and separate compilation both fail on
-// some drivers.
-std::string expand_includes(const std::string& name);
+// some drivers. `fragments`: what stands in place of scene_fragments.h; "": nothing does.
+std::string expand_includes(const std::string& name, const std::string& fragments = "");
 
 }  // namespace nicol

@@ -85,7 +85,7 @@ struct Recipe {
 
 Recipe recipe_of(const Device& device, const KernelRequest& request) {
   Recipe recipe;
-  recipe.source = expand_includes(request.file);
+  recipe.source = expand_includes(request.file, request.fragments);
   recipe.options = build_options(device.about, request);
   recipe.identity = identity_of(device.about, request.name, recipe.options, recipe.source);
   return recipe;

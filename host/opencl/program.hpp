@@ -22,6 +22,7 @@ struct Kernel {
 
 struct KernelRequest {
   std::string file, name;         // "trace.cl", "trace"
+  std::string fragments;          // text in place of scene_fragments.h; "": none
   int lanes = 1;
   bool real_double = false;
   std::string defines;            // further -D options
@@ -38,6 +39,13 @@ int local_size_on(const DeviceInfo& device);
 // Throws DeviceError; a build failure carries the log, which names kernel file and line, and the next call tries again.
 // For several threads: one builds a kernel, others that want the same one wait; other kernels are not held up.
 std::shared_ptr<const Kernel> get_kernel(Device& device, const KernelRequest& request);
+
+// The kernel that traces scenes with these features, and fragments of plugins as this text (SceneFragments::text; "": none). As get_kernel.
+std::shared_ptr<const Kernel> build_kernel(Device& device, std::uint32_t features, const std::string& fragments,
+                                           const KernelOptions& options);
+
+// The same for a scene, its fragments having been checked (fragment_check.hpp).
+std::shared_ptr<const Kernel> trace_kernel(Device& device, const KernelContents& contents, const KernelOptions& options);
 
 // In this process, in the binary cache, or neither.
 KernelReadiness readiness_of(Device& device, const KernelRequest& request);

@@ -9,6 +9,7 @@
 #include "host/opencl/binary_cache.hpp"
 #include "host/opencl/builder_process.hpp"
 #include "host/opencl/errors.hpp"
+#include "host/opencl/fragment_check.hpp"
 #include "host/opencl/kernel_source.hpp"
 #include "host/opencl/renderer.hpp"
 
@@ -24,10 +25,11 @@ void warm_up_trace(Device& device, cl::CommandQueue& queue, cl::Kernel& kernel, 
   queue.finish();
 }
 
-KernelRequest trace_request(Device& device, std::uint32_t features, const KernelOptions& options) {
+KernelRequest trace_request(Device& device, std::uint32_t features, const std::string& fragments, const KernelOptions& options) {
   KernelRequest request;
   request.file = "trace.cl";
   request.name = "trace";
+  request.fragments = fragments;
   request.lanes = lanes_on(device, options);
   request.real_double = options.real_double;
   if (!options.generic) request.defines = fmt::format(" -D SCENE_FEATURES={}", features);
@@ -36,7 +38,9 @@ KernelRequest trace_request(Device& device, std::uint32_t features, const Kernel
     warm_up_trace(device, queue, kernel, local_size);
   };
   if (options.own_process)
-    request.build_elsewhere = [&device, features, options] { return build_in_own_process(device, features, options); };
+    request.build_elsewhere = [&device, features, fragments, options] {
+      return build_in_own_process(device, features, fragments, options);
+    };
   return request;
 }
 
@@ -101,7 +105,7 @@ Frame render(Device& device, const PackedScene& scene, const std::vector<double>
                                        : make_frame(scene, static_cast<int>(options.pixels.size()), 1, lambda_nm, weight_nm);
   if (options.channel_cut_off && scene.mixing.empty()) frame.channel_cut_off.resize(lambda_nm.size() * frame.plane());
   try {
-    const auto kernel = get_kernel(device, trace_request(device, scene.features, options.kernel));
+    const auto kernel = trace_kernel(device, scene.contents(), options.kernel);
     report.build = kernel->report;
     const auto one_at_a_time = device.wait_for_turn();
     const double before_tiles = seconds_since(start);
@@ -139,8 +143,18 @@ std::string render_identity(const Device& device, const PackedScene& scene, cons
                      options.kernel.real_double ? "double" : "float", kernels_hash());
 }
 
-BuildReport prepare_kernel(Device& device, std::uint32_t features, const KernelOptions& options) {
-  const auto kernel = get_kernel(device, trace_request(device, features, options));
+std::shared_ptr<const Kernel> build_kernel(Device& device, std::uint32_t features, const std::string& fragments,
+                                           const KernelOptions& options) {
+  return get_kernel(device, trace_request(device, features, fragments, options));
+}
+
+std::shared_ptr<const Kernel> trace_kernel(Device& device, const KernelContents& contents, const KernelOptions& options) {
+  if (contents.fragments) check_fragments(device, *contents.fragments, options.real_double);
+  return build_kernel(device, contents.features, contents.fragment_text(), options);
+}
+
+BuildReport prepare_kernel(Device& device, const KernelContents& contents, const KernelOptions& options) {
+  const auto kernel = trace_kernel(device, contents, options);
   if (!options.save_later && kernel->unsaved) {
     const auto no_picture = device.wait_for_turn();
     keep(device, *kernel);
@@ -148,8 +162,8 @@ BuildReport prepare_kernel(Device& device, std::uint32_t features, const KernelO
   return kernel->report;
 }
 
-KernelReadiness kernel_readiness(Device& device, std::uint32_t features, const KernelOptions& options) {
-  return readiness_of(device, trace_request(device, features, options));
+KernelReadiness kernel_readiness(Device& device, const KernelContents& contents, const KernelOptions& options) {
+  return readiness_of(device, trace_request(device, contents.features, contents.fragment_text(), options));
 }
 
 void save_kernels(Device& device) {

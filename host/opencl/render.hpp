@@ -107,14 +107,15 @@ std::string kernels_hash();
 
 // Builds (or loads) the kernel that this scene needs, without rendering. Pictures with kernels that are here go on meanwhile on
 // other threads; who wants the same kernel waits for it, and it is built once. Keeping its binary waits for the picture in work.
-BuildReport prepare_kernel(Device& device, std::uint32_t features, const KernelOptions& options);
+// Fragments of plugins are checked before (PluginError).
+BuildReport prepare_kernel(Device& device, const KernelContents& contents, const KernelOptions& options);
 
 enum class KernelReadiness {
   here,      // in this process: at once
   on_disk,   // in the binary cache: a moment
   missing    // to be built, or being built: seconds
 };
-KernelReadiness kernel_readiness(Device& device, std::uint32_t features, const KernelOptions& options);
+KernelReadiness kernel_readiness(Device& device, const KernelContents& contents, const KernelOptions& options);
 
 // To be called first in main() by programs that want own_process: started anew by itself the program builds a kernel and has this exit
 // code; else there is none.

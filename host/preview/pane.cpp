@@ -218,7 +218,7 @@ KernelOptions Pane::wanted_kernel() const {
 
 void Pane::choose_kernel() {
   const KernelOptions wanted = wanted_kernel();
-  const KernelChoice choice = builder_.choose(device_, prepared_->features, wanted);
+  const KernelChoice choice = builder_.choose(device_, prepared_->packed.contents(), wanted);
   kernel_ = choice.options;
   specialised_ = choice.specialised;
   waits_for_kernel_ = !choice.ready;

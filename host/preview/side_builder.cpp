@@ -3,9 +3,9 @@
 namespace nicol::preview {
 namespace {
 
-auto key_of(const std::shared_ptr<Device>& device, std::uint32_t features, const KernelOptions& options) {
-  return std::tuple<const Device*, std::uint32_t, bool, bool, int>{device.get(), options.generic ? 0 : features, options.generic,
-                                                                   options.real_double, options.lanes};
+auto key_of(const std::shared_ptr<Device>& device, const KernelContents& contents, const KernelOptions& options) {
+  return std::tuple<const Device*, std::uint32_t, std::string, bool, bool, int>{
+      device.get(), options.generic ? 0 : contents.features, contents.fragment_text(), options.generic, options.real_double, options.lanes};
 }
 
 }  // namespace
@@ -16,14 +16,14 @@ std::string SideBuilder::failure_of(const Key& key) const {
   return found == failures_.end() ? "" : found->second;
 }
 
-void SideBuilder::build(const std::shared_ptr<Device>& device, std::uint32_t features, const KernelOptions& options) {
-  const Key key = key_of(device, features, options);
+void SideBuilder::build(const std::shared_ptr<Device>& device, const KernelContents& contents, const KernelOptions& options) {
+  const Key key = key_of(device, contents, options);
   if (!failure_of(key).empty()) return;
-  jobs_.post([this, key, device, features, how = options]() mutable {
+  jobs_.post([this, key, device, contents, how = options]() mutable {
     std::string failure;
     how.stop = &quit_;
     try {
-      prepare_kernel(*device, features, how);
+      prepare_kernel(*device, contents, how);
     } catch (const std::exception& error) {
       failure = error.what();
     }
@@ -36,11 +36,11 @@ void SideBuilder::build(const std::shared_ptr<Device>& device, std::uint32_t fea
   });
 }
 
-KernelChoice SideBuilder::choose(const std::shared_ptr<Device>& device, std::uint32_t features, const KernelOptions& wanted) {
+KernelChoice SideBuilder::choose(const std::shared_ptr<Device>& device, const KernelContents& contents, const KernelOptions& wanted) {
   const auto ready = [&](const KernelOptions& options) {
-    const Key key = key_of(device, features, options);
+    const Key key = key_of(device, contents, options);
     const std::lock_guard<std::mutex> held(lock_);
-    if (there_.count(key) == 0 && kernel_readiness(*device, features, options) != KernelReadiness::missing) there_.insert(key);
+    if (there_.count(key) == 0 && kernel_readiness(*device, contents, options) != KernelReadiness::missing) there_.insert(key);
     return there_.count(key) > 0;
   };
   KernelChoice choice;
@@ -53,8 +53,8 @@ KernelChoice SideBuilder::choose(const std::shared_ptr<Device>& device, std::uin
   const bool meanwhile = !wanted.generic && ready(generic);
   KernelOptions built = wanted;
   built.own_process = meanwhile;   // PoCL starts no kernel while it compiles another; with nothing to show it is quicker here
-  build(device, features, built);
-  choice.failure = failure_of(key_of(device, features, wanted));
+  build(device, contents, built);
+  choice.failure = failure_of(key_of(device, contents, wanted));
   choice.building = choice.failure.empty();
   if (meanwhile) {
     choice.options = generic;

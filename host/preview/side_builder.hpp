@@ -31,7 +31,7 @@ class SideBuilder {
 
   // The specialised kernel if it is ready; else the generic one, and the specialised one is begun; else that is waited for
   // (ready false). `wanted.generic`: only ever the generic one. Throws DeviceError if what was asked for cannot be built.
-  KernelChoice choose(const std::shared_ptr<Device>& device, std::uint32_t features, const KernelOptions& wanted);
+  KernelChoice choose(const std::shared_ptr<Device>& device, const KernelContents& contents, const KernelOptions& wanted);
 
   // Builds the generic kernel too, for changes to come.
   void build_generic(const std::shared_ptr<Device>& device, const KernelOptions& wanted);
@@ -39,8 +39,8 @@ class SideBuilder {
   bool idle() const { return jobs_.idle(); }
 
  private:
-  using Key = std::tuple<const Device*, std::uint32_t, bool, bool, int>;
-  void build(const std::shared_ptr<Device>& device, std::uint32_t features, const KernelOptions& options);
+  using Key = std::tuple<const Device*, std::uint32_t, std::string, bool, bool, int>;   // contents, options
+  void build(const std::shared_ptr<Device>& device, const KernelContents& contents, const KernelOptions& options);
   std::string failure_of(const Key& key) const;
 
   std::function<void()> done_;

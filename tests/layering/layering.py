@@ -32,17 +32,19 @@ TREE_WORDS = r"\bsdl::(Block|BlockPtr|Item|Word|Vector|Document|print)\b"
 HOST_MODULES = {
     "optics": set(),
     "crystallography": {""},
-    "bind": {"", "optics", "crystallography"},
+    "fragments": {"", "solids", "plugins"},
+    "bind": {"", "optics", "crystallography", "fragments", "plugins"},
     "solids": {""},
     "output": {"optics"},
     "accuracy": {"output", "optics"},
-    "opencl": {"", "output", "optics"},
-    "": {"", "solids", "optics"},
+    "opencl": {"", "output", "optics", "fragments"},
+    "mpi": {"", "opencl"},
+    "": {"", "solids", "optics", "fragments"},
     "record": {"", "solids"},
     "preview": {"", "output", "opencl", "optics", "solids", "accuracy", "record"},
     "window": {"", "output", "optics", "opencl", "preview", "record"},
-    "engine": {"", "optics", "bind", "solids", "output", "accuracy", "opencl"},
-    "app": {"", "optics", "bind", "solids", "output", "accuracy", "opencl", "engine", "preview", "window"},
+    "engine": {"", "optics", "bind", "fragments", "solids", "output", "accuracy", "opencl"},
+    "app": {"", "optics", "bind", "solids", "output", "accuracy", "opencl", "mpi", "engine", "preview", "window"},
 }
 
 OPTICS_WORDS = (
