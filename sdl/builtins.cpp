@@ -147,8 +147,6 @@ Numbers cross(const Numbers& a, const Numbers& b) {
                 a.v[0] * b.v[1] - a.v[1] * b.v[0]);
 }
 
-constexpr double radians_per_degree = 3.14159265358979323846 / 180;
-
 // Rodrigues' formula, right-hand rule.
 Numbers turned(const Numbers& a, const Numbers& axis, double angle_deg) {
   const double length = std::sqrt(dot(axis, axis));

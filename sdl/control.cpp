@@ -5,9 +5,6 @@
 #include "parser.hpp"
 
 namespace nicol::sdl {
-namespace {
-constexpr double slack = 1e-10;  // POV-Ray's tolerance in comparisons
-}
 
 bool Parser::linked(std::uint32_t at) {
   Frame& f = frame();

@@ -9,7 +9,6 @@ namespace {
 
 double combined(Step::Op op, double a, double b) {
   using Op = Step::Op;
-  constexpr double slack = 1e-10;
   switch (op) {
     case Op::add: return a + b;
     case Op::subtract: return a - b;

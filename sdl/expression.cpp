@@ -8,8 +8,6 @@
 namespace nicol::sdl {
 namespace {
 
-constexpr double slack = 1e-10;  // POV-Ray's tolerance for = != <= >=
-
 template <typename Combine>
 Numbers combined(const Numbers& a, const Numbers& b, Combine combine) {
   const int size = std::max(a.size, b.size);

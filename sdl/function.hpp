@@ -6,6 +6,9 @@
 
 namespace nicol::sdl {
 
+constexpr double slack = 1e-10;  // POV-Ray's tolerance in comparisons
+constexpr double radians_per_degree = 3.14159265358979323846 / 180;
+
 using Matrix = std::array<std::array<double, 3>, 4>;  // rows; p' = p*M, the last row is added
 
 // One step of an expression in postfix order: no recursion, however long the expression.

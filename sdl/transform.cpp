@@ -6,8 +6,6 @@
 namespace nicol::sdl {
 namespace {
 
-constexpr double radians_per_degree = 3.14159265358979323846 / 180;
-
 Matrix rotation(std::size_t axis, double angle_deg) {
   Matrix m = identity_matrix();
   const double c = std::cos(angle_deg * radians_per_degree);

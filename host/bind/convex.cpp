@@ -12,7 +12,6 @@ namespace nicol {
 namespace {
 
 using Faces = std::vector<HalfSpace>;
-constexpr std::size_t most_faces = 10'000;
 
 std::string kind_of(const RawObject& raw) { return raw.block->name; }
 

@@ -14,8 +14,6 @@ namespace {
 
 using namespace crystallography;
 
-constexpr std::size_t most_faces = 10'000;
-
 void read_cdl(Context& context, RawCrystal& raw) {
   if (raw.cdl.empty()) return;
   const auto parsed = parse_cdl(raw.cdl);

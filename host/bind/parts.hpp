@@ -214,6 +214,7 @@ Schema object_schema(Context& context, const char* kind, RawObject& raw);
 const RawObject& read_object(Context& context, const sdl::Block& block);
 
 // ---- convex.cpp: box, crystal, and what is cut from planes ----
+inline constexpr std::size_t most_faces = 10'000;  // of a solid
 // normal . p <= distance of the plane from the origin; exact for planes across an axis.
 std::optional<HalfSpace> half_space(Context& context, Location where, Vec3 normal, double distance);
 std::optional<ConvexShape> convex_shape(Context& context, const RawObject& raw);
