@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "host/plugins/source.hpp"
 #include "host/scene.hpp"
 #include "sdl/diagnostics.hpp"
 #include "sdl/tree.hpp"
@@ -22,6 +23,7 @@ struct BindOptions {
   std::optional<double> error, sample_error;  // see Settings
   std::optional<double> exposure;
   std::optional<bool> polarization;
+  plugins::PluginSource* plugins = nullptr;  // formulas, spectra and solids that the scene asks for; null: none
   std::vector<std::string>* files_read = nullptr;  // takes the names of files that bind reads (gem cuts)
 };
 

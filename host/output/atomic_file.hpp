@@ -19,6 +19,7 @@ class AtomicFile {
   void seek(std::uint64_t position);
   std::uint64_t position() const { return position_; }
   void commit();
+  const std::string& unfinished_name() const { return temporary_; }  // for what writes by name; "" once committed
 
   // The first error of write() and seek() again, for callers whose library swallows exceptions.
   void rethrow_error() const;

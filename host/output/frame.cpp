@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
+#include <mutex>
 
 #include "host/optics/colour.hpp"
 #include "host/output/atomic_file.hpp"
@@ -11,14 +13,37 @@
 
 namespace nicol {
 
+namespace {
+
+std::mutex makers_guard;
+std::map<std::string, SinkMaker>& further_makers() {
+  static auto* makers = new std::map<std::string, SinkMaker>;
+  return *makers;
+}
+
+SinkMaker maker_for(const std::string& suffix) {
+  const std::lock_guard lock(makers_guard);
+  const auto found = further_makers().find(suffix);
+  return found == further_makers().end() ? SinkMaker() : found->second;
+}
+
+}  // namespace
+
+void add_sink_maker(const std::string& suffix, SinkMaker make) {
+  const std::lock_guard lock(makers_guard);
+  further_makers()[suffix] = std::move(make);
+}
+
 std::unique_ptr<FrameSink> make_sink(const std::string& path) {
   std::string suffix = std::filesystem::path(path).extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (suffix != ".exr" && suffix != ".png")
+  const SinkMaker further = maker_for(suffix);
+  if (suffix != ".exr" && suffix != ".png" && !further)
     cannot_write(path, (suffix.empty() ? "its name has no suffix" : "unknown suffix " + suffix) +
                            " (.exr and .png are known)");
   AtomicFile trial(path);  // goes away again: it only shows that the folder takes files
+  if (further) return further(path);
   return suffix == ".exr" ? make_exr_sink(path) : make_png_sink(path);
 }
 

@@ -1,5 +1,6 @@
 // The sinks that write files. make_sink() in frame.hpp picks one by the suffix.
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -13,6 +14,10 @@ enum class ExrPacking { piz, none };
 std::unique_ptr<FrameSink> make_exr_sink(const std::string& path,
                                          ExrPacking packing = ExrPacking::piz);
 std::unique_ptr<FrameSink> make_png_sink(const std::string& path);
+
+// Sinks for a further suffix (".csv"), from now until the process ends; the last one that is added for a suffix counts.
+using SinkMaker = std::function<std::unique_ptr<FrameSink>(const std::string& path)>;
+void add_sink_maker(const std::string& suffix, SinkMaker make);
 
 // "S0.580,000000nm" of "S0" and 580.
 std::string channel_name(const std::string& quantity, double lambda_nm);

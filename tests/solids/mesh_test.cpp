@@ -46,7 +46,7 @@ Built built_mesh(const MeshShape& mesh, std::vector<Affine> moves = {}) {
   Object object = solid(mesh, 7);
   object.kind = "solid";
   object.transforms = std::move(moves);
-  return built({object});
+  return build({object});
 }
 
 void same_to_the_bit(const Geometry& a, const Geometry& b) {
@@ -59,7 +59,7 @@ void same_to_the_bit(const Geometry& a, const Geometry& b) {
       CHECK((p.x == q.x && p.y == q.y && p.z == q.z));
     }
     CHECK(a.faces[f].plane.normal.x == b.faces[f].plane.normal.x);
-    CHECK(a.faces[f].plane.offset == b.faces[f].plane.offset);
+    CHECK(a.faces[f].plane.offset_mm == b.faces[f].plane.offset_mm);
   }
 }
 
@@ -70,15 +70,15 @@ TEST_CASE("a cube of points and faces is the box, to the bit") {
   turn.m = {{{0.6, 0.8, 0}, {-0.8, 0.6, 0}, {0, 0, 1}, {0.1, 0.2, 0.3}}};
   Object object = solid(box({-1, 0, 0.1}, {2, 3, 0.7}), 7);
   object.transforms = {turn};
-  same_to_the_bit(built_mesh(cube_mesh({-1, 0, 0.1}, {2, 3, 0.7}), {turn}).geometry, built({object}).geometry);
+  same_to_the_bit(built_mesh(cube_mesh({-1, 0, 0.1}, {2, 3, 0.7}), {turn}).geometry, build({object}).geometry);
 }
 
 TEST_CASE("an L of points and faces encloses what the prism encloses") {
   const PrismShape prism{{l_outline}, -1, 1.5};
-  const Built expected = built({solid(prism, 7)});
+  const Built expected = build({solid(prism, 7)});
   for (const MeshShape& mesh : {swept(l_outline, -1, 1.5), in_triangles(swept(l_outline, -1, 1.5))}) {
     const Built found = built_mesh(mesh);
-    REQUIRE_MESSAGE(found.geometry.cells.size() > 1, found.messages);
+    REQUIRE_MESSAGE(found.geometry.cells.size() > 1, found.first());
     CHECK(found.geometry.cells.size() == expected.geometry.cells.size());
     CHECK(total_volume(found.geometry) == doctest::Approx(10).epsilon(1e-14));
     CHECK(outer_area(found.geometry) == doctest::Approx(outer_area(expected.geometry)).epsilon(1e-14));
@@ -120,13 +120,13 @@ TEST_CASE("a mesh cuts and is cut") {
 
 TEST_CASE("what is wrong with a mesh names its face or edge") {
   const MeshShape good = cube_mesh({0, 0, 0}, {1, 1, 1});
-  const auto told = [](const MeshShape& mesh) { return built_mesh(mesh).messages; };
+  const auto told = [](const MeshShape& mesh) { return built_mesh(mesh).first(); };
   const auto says = [](const std::string& text, const std::string& part) {
     CHECK_MESSAGE(text.find(part) != std::string::npos, text);
   };
   MeshShape open = good;
   open.faces.pop_back();
-  says(told(open), "is open: the edge from <1, 0, 1> to <0, 0, 1> of face 2 has no other face");
+  says(told(open), "is open: the edge from <0, 0, 1> to <0, 1, 1> of face 0 has no other face");
   MeshShape turned = good;
   std::reverse(turned.faces[3].begin(), turned.faces[3].end());
   says(told(turned), "face turned inside out");
