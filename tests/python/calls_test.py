@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+"""Errors, callbacks and Ctrl-C of nicol in Python: each comes out where Python expects it.
+
+calls_test.py; NICOL_LIBRARY and PYTHONPATH say where the library and nicol.py are.
+"""
+
+import os
+import signal
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import nicol
+
+SCENE = """#version unofficial 3.7;
+global_settings { mm_per_unit 1 wavelengths { 450, 550, 650 } max_trace_level 12 adc_bailout 1e-4 }
+camera { location <0, 30, -30> right x*image_width/image_height angle 30 look_at 0 }
+background { spectrum { e scale 0.4 } }
+polygon { 5, <-8, 0, -8>, <8, 0, -8>, <8, 0, 8>, <-8, 0, 8>, <-8, 0, -8> luminous { spectrum { e } } }
+box { <-4, 0, -4>, <4, 6, 4> interior { ior 1.5 } }
+"""
+ENDLESS = {"width": 2048, "height": 2048, "samples": 1000}  # hours, were it not stopped
+
+
+def small(text=SCENE, **options):
+    return nicol.load_text(text, "small.pov", width=24, height=18, **options)
+
+
+class Errors(unittest.TestCase):
+    def test_scene_with_errors(self):
+        with self.assertRaises(nicol.SceneError) as caught:
+            small(SCENE + "bxo { 0, 1 }\nbox { 0, 1 interior { iro 2 } }\n")
+        errors = [found for found in caught.exception.diagnostics if found.severity == "error"]
+        self.assertEqual([(error.file, error.line) for error in errors], [("small.pov", 7), ("small.pov", 8)])
+        self.assertEqual(errors[1].column, 24)
+        self.assertIn("iro", errors[1].message)
+        self.assertIn("small.pov:7", str(caught.exception))
+        self.assertEqual(caught.exception.status, 3)
+
+    def test_each_kind(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertRaisesRegex(nicol.InputError, "no.pov", nicol.load, Path(folder, "no.pov"))
+            self.assertRaisesRegex(nicol.OutputError, "nowhere", small().render().write, Path(folder, "nowhere", "a.exr"))
+            self.assertRaises(nicol.Error, small().render().write, Path(folder, "a.bmp"))
+            self.assertEqual(os.listdir(folder), [])
+        self.assertRaisesRegex(nicol.DeviceError, "no such device", nicol.Context, device="no such device")
+        self.assertRaises(nicol.ArgumentError, small, error=2)
+        self.assertRaises(ValueError, small().render, precision="half")
+        self.assertRaises(ValueError, small().render, rows=(5, 5))
+        self.assertRaises(TypeError, small, clok=1)
+        self.assertRaises(nicol.UnavailableError, lambda: small().render().error_bound)
+
+    def test_closed(self):
+        scene = small()
+        picture = scene.render()
+        for thing, use in ((picture, lambda: picture.stokes), (scene, scene.render)):
+            thing.close()
+            with self.assertRaisesRegex((ValueError, TypeError, nicol.Error, Exception), "closed"):
+                use()
+            self.assertIn("closed", repr(thing))
+
+    def test_devices(self):
+        found = nicol.devices()
+        with nicol.Context(device=0) as context:
+            self.assertEqual(context.device.name, found[0].name)
+        self.assertTrue(all(device.compute_units > 0 and device.is_cpu in (True, False) for device in found))
+
+
+class Callbacks(unittest.TestCase):
+    def test_progress_and_tiles(self):
+        seen, scene = [], small()
+        told = np.full((4, 3, 18 * 24), np.nan, np.float32)
+
+        def tile(tile):
+            self.assertEqual((tile.width, tile.height, tile.wavelengths_nm.tolist()), (24, 18, [450, 550, 650]))
+            self.assertEqual(tile.linear_srgb.shape, (len(tile.pixels), 3))
+            told[:, :, tile.pixels] = tile.stokes
+
+        picture = scene.render(progress=lambda *values: seen.append(values), tile=tile)
+        np.testing.assert_array_equal(told.reshape(picture.stokes.shape), picture.stokes)
+        fractions = [fraction for fraction, _, _ in seen]
+        self.assertEqual(fractions, sorted(fractions))
+        self.assertEqual(fractions[-1], 1)
+
+    def test_cancel(self):
+        scene, tiles = nicol.load_text(SCENE, **ENDLESS), []
+        with self.assertRaises(nicol.Cancelled) as caught:
+            scene.render(tile=tiles.append, cancel=lambda: len(tiles) > 0)
+        stopped, last = caught.exception.picture, tiles[-1]
+        self.assertTrue(stopped.report.interrupted)
+        np.testing.assert_array_equal(stopped.stokes.reshape(4, 3, -1)[:, :, last.pixels], last.stokes)
+        self.assertRaises(nicol.Cancelled, scene.render, cancel=lambda: True)
+
+    def test_exceptions_come_out(self):
+        def fail(*_):
+            raise LookupError("of the callback")
+
+        scene = nicol.load_text(SCENE, **ENDLESS)
+        for callback in ("progress", "tile", "cancel"):
+            with self.subTest(callback=callback), self.assertRaisesRegex(LookupError, "of the callback"):
+                scene.render(**{callback: fail})
+        self.assertRaisesRegex(LookupError, "of the callback", nicol.load_text, '#include "a.inc"', include=fail)
+        context = nicol.Context(log=fail)
+        self.assertRaisesRegex(LookupError, "of the callback", context.load_text, '#debug "words"\n' + SCENE)
+        self.assertEqual(small().render().stokes.shape, (4, 3, 18, 24))  # and all is well again
+
+    def test_interrupt(self):
+        """Ctrl-C, with and without callbacks of one's own."""
+        scene = nicol.load_text(SCENE, **ENDLESS)
+
+        def interrupt(begun):
+            while not begun():
+                time.sleep(0.01)
+            os.kill(os.getpid(), signal.SIGINT)
+
+        tiles = []
+        threading.Thread(target=interrupt, args=(lambda: tiles,), daemon=True).start()
+        self.assertRaises(KeyboardInterrupt, scene.render, tile=tiles.append)
+        renders = lambda: signal.getsignal(signal.SIGINT) is not signal.default_int_handler
+        threading.Thread(target=interrupt, args=(renders,), daemon=True).start()
+        self.assertRaises(KeyboardInterrupt, scene.render)
+        self.assertFalse(renders())
+
+    def test_include(self):
+        asked = []
+
+        def include(name):
+            asked.append(name)
+            return "#declare Sky = 0.25;\n" if name == "sky.inc" else None
+
+        picture = small('#include "sky.inc"\n#include "units.inc"\n' + SCENE.replace("0.4", "Sky"), include=include).render()
+        self.assertEqual(asked, ["sky.inc", "units.inc"])
+        brighter = small().render()
+        np.testing.assert_allclose(picture.stokes[0, :, 0, 0] / 0.25, brighter.stokes[0, :, 0, 0] / 0.4, rtol=1e-6)
+        with self.assertRaises(nicol.SceneError):
+            small('#include "sky.inc"\n', include=lambda name: None)
+
+    def test_log(self):
+        told = []
+        context = nicol.Context(log=lambda severity, text: told.append((severity, text)))
+        scene = context.load_text('#debug "so many words"\n' + SCENE)
+        self.assertIn("so many words", "".join(text for _, text in told))
+        self.assertEqual(scene.diagnostics, [])
+
+    def test_threads(self):
+        """Each thread gets its own picture, and its own exception."""
+        answers = {}
+
+        def work(number):
+            try:
+                if number == 3:
+                    small().render(tile=lambda _: 1 / 0)
+                answers[number] = small(declares={}).render().stokes.copy()
+            except ZeroDivisionError as error:
+                answers[number] = error
+
+        threads = [threading.Thread(target=work, args=(number,)) for number in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertIsInstance(answers[3], ZeroDivisionError)
+        for number in (1, 2):
+            np.testing.assert_array_equal(answers[number], answers[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
