@@ -100,6 +100,47 @@ const Found& choose(const std::vector<Found>& found, const std::string& wanted) 
                                 list_text(found)));
 }
 
+void refuse_none(const std::vector<Found>& found) {
+  if (found.empty())
+    throw DeviceError(
+        "no OpenCL device found: install the package pocl-opencl-icd (runs on any CPU) or the OpenCL driver of "
+        "your graphics card; `clinfo -l` lists what the system offers");
+}
+
+// A device that is simulated to find errors takes hours for a picture.
+bool is_simulator(const DeviceInfo& device) { return lower(device.name + device.platform).find("oclgrind") != std::string::npos; }
+
+std::vector<const Found*> choose_all(const std::vector<Found>& found) {
+  std::vector<const Found*> all{&choose(found, "")};
+  for (const Found& f : found)
+    if (&f != all.front() && (f.about.is_cpu || f.about.is_gpu) && !is_simulator(f.about)) all.push_back(&f);
+  return all;
+}
+
+std::vector<const Found*> choose_several(const std::vector<Found>& found, const std::string& wanted) {
+  if (lower(wanted) == "all") return choose_all(found);
+  std::vector<const Found*> several;
+  for (std::size_t from = 0; from <= wanted.size();) {
+    const std::size_t comma = std::min(wanted.find(',', from), wanted.size());
+    const std::string one = wanted.substr(from, comma - from);
+    if (one.empty() && !wanted.empty()) throw DeviceError(fmt::format("--device {}: a number or name lacks between the commas", wanted));
+    const Found* chosen = &choose(found, one);
+    if (std::find(several.begin(), several.end(), chosen) != several.end())
+      throw DeviceError(fmt::format("--device {}: {} is named twice", wanted, chosen->about.name));
+    several.push_back(chosen);
+    from = comma + 1;
+  }
+  return several;
+}
+
+std::shared_ptr<Device> open_found(const Found& chosen) {
+  try {
+    return std::make_shared<Device>(chosen.about, chosen.device);
+  } catch (const cl::Error& error) {
+    throw DeviceError(error_message(error, chosen.about.name));
+  }
+}
+
 }  // namespace
 
 Device::Device(const DeviceInfo& device_info, const cl::Device& cl_device)
@@ -115,16 +156,24 @@ std::vector<DeviceInfo> list_devices() {
 
 std::shared_ptr<Device> open_device(const std::string& wanted) {
   const std::vector<Found> found = find_devices();
-  if (found.empty())
-    throw DeviceError(
-        "no OpenCL device found: install the package pocl-opencl-icd (runs on any CPU) or the OpenCL driver of "
-        "your graphics card; `clinfo -l` lists what the system offers");
-  const Found& chosen = choose(found, wanted);
-  try {
-    return std::make_shared<Device>(chosen.about, chosen.device);
-  } catch (const cl::Error& error) {
-    throw DeviceError(error_message(error, chosen.about.name));
-  }
+  refuse_none(found);
+  return open_found(choose(found, wanted));
+}
+
+std::vector<DeviceInfo> choose_devices(const std::string& wanted) {
+  const std::vector<Found> found = find_devices();
+  refuse_none(found);
+  std::vector<DeviceInfo> chosen;
+  for (const Found* f : choose_several(found, wanted)) chosen.push_back(f->about);
+  return chosen;
+}
+
+std::vector<std::shared_ptr<Device>> open_devices(const std::string& wanted) {
+  const std::vector<Found> found = find_devices();
+  refuse_none(found);
+  std::vector<std::shared_ptr<Device>> devices;
+  for (const Found* f : choose_several(found, wanted)) devices.push_back(open_found(*f));
+  return devices;
 }
 
 const DeviceInfo& info(const Device& device) { return device.about; }

@@ -29,6 +29,11 @@ class Device;  // context and queues of one device; defined in device_impl.hpp f
 // By index or by a part of its name (any case); "" takes a GPU if there is one, else the CPU.
 // Throws DeviceError that lists what there is.
 std::shared_ptr<Device> open_device(const std::string& wanted);
+
+// Several: numbers or parts of names with commas between, none twice; "all": every GPU and CPU but simulators, the one of "" first.
+// Otherwise as above.
+std::vector<DeviceInfo> choose_devices(const std::string& wanted);
+std::vector<std::shared_ptr<Device>> open_devices(const std::string& wanted);
 const DeviceInfo& info(const Device& device);
 
 }  // namespace nicol

@@ -90,6 +90,7 @@ void Gather::begin_pass(const std::vector<std::int32_t>* pixels, int begin, int 
   listed_ = pixels;
   begin_ = begin;
   end_ = end;
+  sums_.clear();
   layout_.pixels = pixels ? static_cast<std::int64_t>(pixels->size()) : static_cast<std::int64_t>(frame_.plane());
 }
 
@@ -99,18 +100,25 @@ void Gather::add(const Tile& tile, const Real* sums) {
   if (samples <= TileSchedule::samples_per_launch) return scatter(tile, sums);
   const std::size_t size =
       static_cast<std::size_t>(tile.unit_count * layout_.items_per_unit() * OUT_COMPONENTS * layout_.lanes);
+  std::vector<double>& so_far = sums_[tile.first_unit];
   if (tile.sample_begin == 0) {
-    sums_.assign(size, 0.0);
+    if (so_far.empty()) so_far.swap(spare_);
+    so_far.assign(size, 0.0);
   }
   const std::size_t item = static_cast<std::size_t>(OUT_COMPONENTS * layout_.lanes);
   for (std::size_t i = 0; i < size; ++i) {
     const bool is_signature = i % item / static_cast<std::size_t>(layout_.lanes) == OUT_SIGNATURE;
     const double value = static_cast<double>(sums[i]);
-    if (!is_signature) sums_[i] += value;
-    else sums_[i] = tile.sample_begin == 0 || sums_[i] == value ? value : -1;
+    if (!is_signature) so_far[i] += value;
+    else so_far[i] = tile.sample_begin == 0 || so_far[i] == value ? value : -1;
   }
-  if (tile.sample_end == samples) scatter(tile, sums_.data());
+  if (tile.sample_end < samples) return;
+  scatter(tile, so_far.data());
+  spare_.swap(so_far);
+  sums_.erase(tile.first_unit);
 }
+
+void Gather::forget(std::int64_t first_unit) { sums_.erase(first_unit); }
 
 std::vector<std::int32_t> Gather::pixels_of(const Tile& tile) const {
   const int per_unit = layout_.pixels_per_unit();

@@ -1,6 +1,7 @@
 // Puts what launches wrote into the picture, pass by pass.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "host/opencl/tiles.hpp"
@@ -40,9 +41,12 @@ class Gather {
   // What follows belongs to these pixels of the frame (null: all), samples [begin, end) of each.
   void begin_pass(const std::vector<std::int32_t>* pixels, int begin, int end);
 
-  // Sums over the tile's samples; all tiles of the same units follow one another, samples ascending.
+  // Sums over the tile's samples. Units come in any order; all samples of a range of units come in tiles of just these units, ascending.
   template <class Real>
   void add(const Tile& tile, const Real* sums);
+
+  // The samples so far of the units from first_unit on will come again.
+  void forget(std::int64_t first_unit);
 
   // The tile's pixels of the frame.
   std::vector<std::int32_t> pixels_of(const Tile& tile) const;
@@ -85,7 +89,8 @@ class Gather {
   const std::vector<std::int32_t>* listed_ = nullptr;
   int begin_ = 0, end_ = 1;
   std::vector<std::int64_t> channel_at_;
-  std::vector<double> sums_;              // where the samples of a pixel need several launches
+  std::map<std::int64_t, std::vector<double>> sums_;   // by first unit, where the samples of a pixel need several launches
+  std::vector<double> spare_;             // the memory of sums that are done
   std::vector<std::int64_t> row_pixels_;  // done, per row
   // path_signatures only
   bool spread_ = false;

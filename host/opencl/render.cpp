@@ -8,9 +8,11 @@
 
 #include "host/opencl/binary_cache.hpp"
 #include "host/opencl/builder_process.hpp"
+#include "host/opencl/device_impl.hpp"
 #include "host/opencl/errors.hpp"
 #include "host/opencl/fragment_check.hpp"
 #include "host/opencl/kernel_source.hpp"
+#include "host/opencl/program.hpp"
 #include "host/opencl/renderer.hpp"
 
 namespace nicol {
@@ -94,7 +96,6 @@ Frame render(Device& device, const PackedScene& scene, const std::vector<double>
              const std::vector<double>& weight_nm, const RenderOptions& options, RenderReport& report) {
   const auto start = Clock::now();
   report = RenderReport{};
-  report.device = device.about.name;
   report.lanes = lanes_on(device, options.kernel);
   report.real = options.kernel.real_double ? "double" : "float";
   report.precise_real = options.kernel.real_double || device.about.has_fp64 ? "double" : "float, for the device has no fp64";
@@ -104,17 +105,10 @@ Frame render(Device& device, const PackedScene& scene, const std::vector<double>
   Frame frame = options.pixels.empty() ? make_frame(scene, scene.width, scene.height, lambda_nm, weight_nm)
                                        : make_frame(scene, static_cast<int>(options.pixels.size()), 1, lambda_nm, weight_nm);
   if (options.channel_cut_off && scene.mixing.empty()) frame.channel_cut_off.resize(lambda_nm.size() * frame.plane());
-  try {
-    const auto kernel = trace_kernel(device, scene.contents(), options.kernel);
-    report.build = kernel->report;
-    const auto one_at_a_time = device.wait_for_turn();
-    const double before_tiles = seconds_since(start);
-    Renderer(device, scene, options, *kernel, report.lanes, frame, report).run();
-    report.seconds_to_first_tile += before_tiles;
-    if (!options.kernel.save_later) keep(device, *kernel);
-  } catch (const cl::Error& error) {
-    throw DeviceError(error_message(error, device.about.name));
-  }
+  auto executors = open_executors(device, scene, options, report);
+  const double before_tiles = seconds_since(start);
+  Renderer(std::move(executors), scene, options, report.lanes, frame, report).run();
+  report.seconds_to_first_tile += before_tiles;
   return frame;
 }
 
@@ -149,7 +143,7 @@ std::shared_ptr<const Kernel> build_kernel(Device& device, std::uint32_t feature
 }
 
 std::shared_ptr<const Kernel> trace_kernel(Device& device, const KernelContents& contents, const KernelOptions& options) {
-  if (contents.fragments) check_fragments(device, *contents.fragments, options.real_double);
+  if (contents.fragments) check_fragments(device, *contents.fragments, options);
   return build_kernel(device, contents.features, contents.fragment_text(), options);
 }
 
@@ -159,7 +153,9 @@ BuildReport prepare_kernel(Device& device, const KernelContents& contents, const
     const auto no_picture = device.wait_for_turn();
     keep(device, *kernel);
   }
-  return kernel->report;
+  BuildReport report = kernel->report;
+  if (contents.fragments) report.note += check_fragments(device, *contents.fragments, options);
+  return report;
 }
 
 KernelReadiness kernel_readiness(Device& device, const KernelContents& contents, const KernelOptions& options) {

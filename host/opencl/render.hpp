@@ -42,8 +42,14 @@ struct Progress {
   double segments_per_second = 0;   // lane-segments
 };
 
+class ExecutorSource;   // executor.hpp
+
 struct RenderOptions {
   KernelOptions kernel;
+  // Further devices that share the tiles, with the lanes of the first; and executors of other processes. Together they give the bits of one.
+  std::vector<std::shared_ptr<Device>> also;
+  ExecutorSource* others = nullptr;
+  bool only_others = false;                       // where there are others, the first device traces nothing
   int samples = 1;                                // per pixel
   std::vector<std::array<double, 2>> positions;   // in the pixel, 0..1; empty: low-discrepancy, centre first
   // > 0: every pixel gets `samples`, then more go where they matter, until the estimated error of pixel sampling (RMS of the Stokes
@@ -60,6 +66,13 @@ struct RenderOptions {
   // Called after each tile with the picture so far and the pixels of it (row * width + column) whose values have just changed.
   std::function<void(const Frame& frame, const std::int32_t* pixels, std::size_t count)> tile;
   const std::atomic<bool>* cancel = nullptr;      // set by Ctrl-C: stops after the tiles in flight
+};
+
+// What a device, or another process with its own, has done of a render.
+struct DeviceShare {
+  std::string device, place;      // place: "rank 3 on node7"; "": this process
+  int tiles = 0;                  // launched
+  std::uint64_t segments = 0;     // lane-segments
 };
 
 struct RenderReport {
@@ -81,7 +94,9 @@ struct RenderReport {
   double cut_off_mean = 0, cut_off_worst = 0;   // weight of dropped paths relative to a full path, per pixel
   int tiles = 0, tiles_found = 0;   // launched; found in the journal
   bool interrupted = false;
-  std::string device;
+  std::vector<DeviceShare> shares;
+  std::vector<std::string> notes;   // what went wrong and was mended: each to be told
+  std::string device;               // all of them
   int lanes = 0;
   std::string real;               // "float" or "double"
 };

@@ -1,4 +1,6 @@
 // Passes of samples: every pixel first, then those where samples matter.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,18 +16,29 @@ std::int64_t row_units_of(int width, const ItemLayout& layout) {
   return width % layout.pixels_per_unit() == 0 ? width / layout.pixels_per_unit() : 0;
 }
 
+// "a", or "2 x a; b".
+std::string names_of(const std::vector<DeviceShare>& shares) {
+  std::string names;
+  for (auto share = shares.begin(); share != shares.end(); ++share) {
+    const auto is_it = [&](const DeviceShare& other) { return other.device == share->device; };
+    if (share->device.empty() || std::any_of(shares.begin(), share, is_it)) continue;
+    const auto count = std::count_if(share, shares.end(), is_it);
+    names += (names.empty() ? "" : "; ") + (count > 1 ? fmt::format("{} x ", count) : "") + share->device;
+  }
+  return names;
+}
+
 }  // namespace
 
 bool Renderer::run_pass(const std::vector<std::int32_t>* pixels, int begin, int end) {
   begin_ = begin;
   end_ = end;
   units_done_ = 0;
+  unit_samples_done_ = 0;
   list_pixels(pixels);
   gather_.begin_pass(pixels, begin, end);
-  TileSchedule schedule(layout_.units(), pixels ? 0 : row_units_of(frame_.width, layout_), end - begin, units_that_fit(),
-                        options_.tile_seconds, unit_sample_seconds_);
-  const bool whole = run_tiles(schedule);
-  unit_sample_seconds_ = schedule.unit_sample_seconds();
+  pool_.emplace(layout_.units(), pixels ? 0 : row_units_of(frame_.width, layout_));
+  const bool whole = run_tiles();
   if (report_.passes++ == 0) report_.seconds_first_pass = seconds_since(start_);
   samples_done_ += static_cast<double>(units_done_) / static_cast<double>(layout_.units()) *
                    static_cast<double>(layout_.pixels) * (end - begin);
@@ -88,6 +101,7 @@ void Renderer::run() {
   if (!report_.interrupted && options_.sample_error > 0) refine();
   if (!report_.interrupted && frame_.sample_error.empty()) gather_.estimate_errors();
   gather_.finish();
+  report_.device = names_of(report_.shares);
   report_.seconds = seconds_since(start_);
   tell_errors();
   report_.cut_off_mean = gather_.cut_off_mean;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -253,6 +254,14 @@ std::int64_t Journal::covered_units(int pass, std::int64_t from_unit, int sample
   for (; piece != pieces->second.end() && piece->first <= unit; ++piece)
     unit = std::max(unit, piece->first + piece->second.unit_count);
   return unit - from_unit;
+}
+
+std::int64_t Journal::missing_units(int pass, std::int64_t from_unit, int sample_begin, int sample_end) const {
+  if (covered_units(pass, from_unit, sample_begin, sample_end) > 0) return 0;
+  const auto pieces = index_.find({pass, sample_begin, sample_end});
+  const auto next = pieces == index_.end() ? Pieces::const_iterator{} : pieces->second.lower_bound(from_unit);
+  if (pieces == index_.end() || next == pieces->second.end()) return std::numeric_limits<std::int64_t>::max();
+  return next->first - from_unit;
 }
 
 bool Journal::find(const TileKey& tile, std::size_t bytes_per_unit, void* bytes) const {

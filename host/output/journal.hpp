@@ -39,6 +39,9 @@ class Journal {
   // How many units from `from_unit` on are all there.
   std::int64_t covered_units(int pass, std::int64_t from_unit, int sample_begin, int sample_end) const;
 
+  // How many units from `from_unit` on are all not there; huge if none are from there on.
+  std::int64_t missing_units(int pass, std::int64_t from_unit, int sample_begin, int sample_end) const;
+
   // size: a multiple of the tile's units. On a full disk recording stops, and note() says so.
   void add(const TileKey& tile, const void* bytes, std::size_t size);
 

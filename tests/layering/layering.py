@@ -21,6 +21,7 @@ LIBRARIES = [
     ("a window library", r"(GLFW/|imgui|epoxy/|GL/|EGL/)", ["host/window/"]),
     ("OpenCL", r"(CL/|OpenCL/)", ["host/opencl/"]),
     ("CLI11", r"CLI/", ["host/app/main.cpp"]),
+    ("MPI", r"mpi\.h", ["host/mpi/"]),
 ]
 
 # What the parser knows beyond places and diagnostics belongs to those who read trees.
@@ -34,6 +35,7 @@ HOST_MODULES = {
     "crystallography": {""},
     "fragments": {"", "solids", "plugins"},
     "bind": {"", "optics", "crystallography", "fragments", "plugins"},
+    "plugins": {"", "output"},
     "solids": {""},
     "output": {"optics"},
     "accuracy": {"output", "optics"},
@@ -43,8 +45,9 @@ HOST_MODULES = {
     "record": {"", "solids"},
     "preview": {"", "output", "opencl", "optics", "solids", "accuracy", "record"},
     "window": {"", "output", "optics", "opencl", "preview", "record"},
-    "engine": {"", "optics", "bind", "fragments", "solids", "output", "accuracy", "opencl"},
-    "app": {"", "optics", "bind", "solids", "output", "accuracy", "opencl", "mpi", "engine", "preview", "window"},
+    "engine": {"", "optics", "bind", "fragments", "solids", "output", "plugins", "accuracy", "opencl"},
+    "app": {"", "optics", "bind", "solids", "output", "plugins", "accuracy", "opencl", "mpi", "engine", "preview", "window"},
+    "api": {"", "optics", "output", "opencl", "engine"},
 }
 
 OPTICS_WORDS = (

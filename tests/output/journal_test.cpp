@@ -88,6 +88,9 @@ TEST_CASE("tiles come back in the same run and in the next") {
     CHECK(journal->covered_units(0, 0, 0, 16) == 8);
     CHECK(journal->covered_units(0, 7, 0, 16) == 1);
     CHECK(journal->covered_units(0, 8, 0, 16) == 0);
+    CHECK(journal->missing_units(0, 7, 0, 16) == 0);
+    CHECK(journal->missing_units(0, 8, 0, 16) > 1000000);
+    CHECK(journal->missing_units(1, 0, 0, 16) > 1000000);
     CHECK(journal->covered_units(0, 0, 16, 20) == 3);
     CHECK(journal->covered_units(3, 0, 0, 16) == 0);
     std::string bytes(3 * 8, '\0');
