@@ -1,7 +1,8 @@
 /* libnicol: scenes read, explained and rendered inside other programs. A C interface for C99 and C++; nicol.hpp is the C++ layer on it.
 
    Handles    are counted: what a function hands out holds one count, nicol_*_retain adds one, nicol_*_release takes one away and frees
-              with the last. Releasing NULL does nothing. A scene keeps its context, a picture its scene.
+              with the last. Releasing NULL does nothing. A scene keeps its context, a picture its scene. All are to be released before
+              the program ends: OpenCL may be gone when static objects are.
    Pointers   that a handle's functions hand out stay valid as long as the handle; others as said at each function. Nothing that is
               handed in is kept beyond the call, but for the functions and `user` of nicol_context_options, which must last as long as the
               context, its scenes and its pictures.
@@ -15,8 +16,8 @@
               outside an enumeration, are NICOL_ERROR_ARGUMENT. No exception leaves this library, no function ends the program, and
               nothing is printed.
    Threads    Scenes and pictures do not change once they are handed out: any number of threads may read them. A context may be used by
-              several threads. Renderings on one device take turns; reading scenes does not wait for them. Distinct handles never
-              disturb each other.
+              several threads. Its renderings take turns; reading scenes does not wait for them. Distinct contexts do not wait for each
+              other.
    Callbacks  run on the thread that made the call, before it returns, so several threads that share a context may be in the same
               callback at once. A callback may call anything but nicol_render, nicol_scene_load_* and nicol_merge, which are refused
               with NICOL_ERROR_ARGUMENT there. Where one answers an int, 0 means go on and anything else stop. A C++ exception that leaves
@@ -99,7 +100,8 @@ typedef void (*nicol_log_callback)(void* user, nicol_severity severity, const ch
 typedef struct nicol_context_options {
   uint32_t struct_size;
   uint32_t library_path_count;
-  const char* device;                /* index, or a part of the name in any case; NULL or "": a GPU if there is one, else the CPU */
+  const char* device;                /* index, or a part of the name in any case; several with commas, or "all": they share the work;
+                                        NULL or "": a GPU if there is one, else the CPU */
   const char* const* library_paths;  /* folders where include files and gem cuts are looked for, before nicol's own */
   nicol_log_callback log;            /* may be NULL */
   void* user;                        /* handed to log */
@@ -110,7 +112,7 @@ typedef struct nicol_context_options {
 NICOL_API nicol_status nicol_context_create(const nicol_context_options* options, nicol_context** context);
 NICOL_API nicol_context* nicol_context_retain(nicol_context* context); /* answers its argument */
 NICOL_API void nicol_context_release(nicol_context* context);
-/* The device that this context renders on, opened if it is not yet. */
+/* The device that this context renders on, or the first of them, opened if it is not yet. */
 NICOL_API nicol_status nicol_context_device(nicol_context* context, nicol_device_info* info);
 
 /* ---- Scenes ---- */
