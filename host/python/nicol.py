@@ -19,7 +19,6 @@ libnicol is looked for where NICOL_LIBRARY says, beside this module, in the pref
 libraries. Only numpy is needed beyond Python 3.9.
 """
 
-import contextlib
 import ctypes
 import os
 import signal
@@ -27,14 +26,15 @@ import struct
 import sysconfig
 import threading
 import zlib
-from ctypes import CFUNCTYPE, POINTER, byref, c_char, c_char_p, c_double, c_float, c_int, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
+from ctypes import CFUNCTYPE, POINTER, byref, c_char, c_char_p, c_double, c_int, c_int32, c_size_t, c_uint32, c_uint64, c_void_p
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 
-__all__ = ["CallbackError", "Cancelled", "Context", "DeviceError", "Error", "InputError", "OutputError", "Picture", "PluginError", "Scene",
-           "SceneError", "UnavailableError", "devices", "load", "load_text", "merge", "version"]
+__all__ = ["ArgumentError", "CallbackError", "Cancelled", "Context", "DeviceError", "Error", "InputError", "InternalError",
+           "OutputError", "Picture", "PluginError", "Record", "Scene", "SceneError", "UnavailableError", "devices", "load", "load_text",
+           "merge", "version"]
 
 # ---- The C interface, as host/api/nicol.h has it ----
 
@@ -213,7 +213,7 @@ class InternalError(Error):
 
 _ERRORS = {1: Cancelled, 2: ArgumentError, 3: SceneError, 4: DeviceError, 5: InputError, 6: OutputError, 8: PluginError,
            9: CallbackError, 10: UnavailableError, 11: InternalError}
-_NO_MEMORY, _CANCELLED, _SCENE_HAS_ERRORS, _UNAVAILABLE = 7, 1, 3, 10
+_NO_MEMORY, _UNAVAILABLE = 7, 10
 
 # ---- Calls: statuses, exceptions of callbacks, Ctrl-C ----
 
@@ -224,6 +224,7 @@ class _Outcome:
     """What a call answered: its status with the words, and what a callback raised meanwhile."""
 
     def __init__(self, function, *arguments):
+        arguments = [argument.open_pointer if isinstance(argument, _Owner) else argument for argument in arguments]
         outer, _thread.raised = getattr(_thread, "raised", None), None
         self.status = function(*arguments)
         self.words = _lib.nicol_last_error().decode(errors="replace") if self.status else ""
@@ -309,7 +310,8 @@ class _Owner:
     _handle = None
 
     @property
-    def _as_parameter_(self):
+    def open_pointer(self):
+        """For the C interface. ValueError once it is closed."""
         if self._handle is None:
             raise ValueError(f"this {type(self).__name__} is closed")
         return self._handle.pointer
@@ -474,7 +476,7 @@ class Scene(_Owner):
         self._handle = handle
 
     def _all(self, what, kind):
-        count = getattr(_lib, f"nicol_scene_{what}_count")(self)
+        count = getattr(_lib, f"nicol_scene_{what}_count")(self.open_pointer)
         return [_filled(kind, getattr(_lib, f"nicol_scene_{what}"), self, i) for i in range(count)]
 
     @property
@@ -485,7 +487,7 @@ class Scene(_Owner):
     @property
     def files(self):
         """The files that were read, and the names of texts handed in."""
-        return [_text_of(_lib.nicol_scene_file, self, i) for i in range(_lib.nicol_scene_file_count(self))]
+        return [_text_of(_lib.nicol_scene_file, self, i) for i in range(_lib.nicol_scene_file_count(self.open_pointer))]
 
     @property
     def features(self):
@@ -697,7 +699,7 @@ class Picture(_Owner):
     def budget(self):
         """The error budget of a picture rendered with error_budget, else None: `rms`, of all sources together and relative to the mean
         radiance, and `lines`, each with source, rms (NaN: not known, detail says why), detail, price (what less costs), seconds."""
-        count = _lib.nicol_picture_budget_count(self)
+        count = _lib.nicol_picture_budget_count(self.open_pointer)
         if count == 0:
             return None
         rms = c_double()
@@ -719,7 +721,7 @@ class Picture(_Owner):
     def notes(self):
         """dict: what a file's header tells of scene, settings, device, time, error budget."""
         notes = {}
-        for i in range(_lib.nicol_picture_note_count(self)):
+        for i in range(_lib.nicol_picture_note_count(self.open_pointer)):
             key, text = c_char_p(), c_char_p()
             _call(_lib.nicol_picture_note, self, i, byref(key), byref(text))
             notes[key.value.decode(errors="replace")] = text.value.decode(errors="replace")

@@ -59,7 +59,7 @@ class Errors(unittest.TestCase):
         picture = scene.render()
         for thing, use in ((picture, lambda: picture.stokes), (scene, scene.render)):
             thing.close()
-            with self.assertRaisesRegex((ValueError, TypeError, nicol.Error, Exception), "closed"):
+            with self.assertRaisesRegex(ValueError, "closed"):
                 use()
             self.assertIn("closed", repr(thing))
 

@@ -90,7 +90,7 @@ class Film(unittest.TestCase):
 
     def test_arrays_are_the_film_itself(self):
         place = ctypes.c_void_p()
-        self.assertEqual(nicol._lib.nicol_picture_stokes(self.picture, ctypes.byref(place)), 0)
+        self.assertEqual(nicol._lib.nicol_picture_stokes(self.picture.open_pointer, ctypes.byref(place)), 0)
         self.assertEqual(self.picture.stokes.__array_interface__["data"], (place.value, True))
         self.assertFalse(self.picture.stokes.flags.owndata)
         with self.assertRaises(ValueError):
