@@ -183,6 +183,18 @@ Scene without_calcite_polarizers(Scene scene) {
   return scene;
 }
 
+bool is_element(const Polarizer& polarizer) { return polarizer.kind == Polarizer::Kind::fragment; }
+bool names_fragments(const Scene& scene) {
+  return any_polarizer(scene, is_element) ||
+         std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& o) { return !o.face_surfaces.empty(); });
+}
+Scene without_fragments(Scene scene) {
+  for (Polarizer& polarizer : scene.polarizers)
+    if (is_element(polarizer)) polarizer.kind = Polarizer::Kind::ideal;
+  for (Object& object : scene.objects) object.face_surfaces.clear();
+  return scene;
+}
+
 struct Removal {
   Effect effect;
   bool there;
@@ -209,6 +221,7 @@ std::vector<Removal> removals(const Scene& scene) {
        without_birefringence},
       {{"conical_rays", "one ray at a binormal"}, any_medium(scene, has_cone), without_conical_rays},
       {{"calcite_polarizers", "ideal polarizers"}, any_polarizer(scene, is_calcite), without_calcite_polarizers},
+      {{"fragments", "ideal polarizers and bare faces in place of plugins'"}, names_fragments(scene), without_fragments},
   };
 }
 
@@ -242,6 +255,7 @@ std::vector<std::string> effects_of_polarizer(const Scene& scene, const Polarize
   if (scene.settings.polarization) names.push_back("polarization");
   if (polarizer_disperses(polarizer)) names.push_back("dispersion");
   if (is_calcite(polarizer)) names.push_back("calcite_polarizers");
+  if (is_element(polarizer)) names.push_back("fragments");
   return names;
 }
 

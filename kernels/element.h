@@ -50,28 +50,28 @@ FUNCTION ElementAxes element_axes(PRIVATE const SceneView* view, int polarizer, 
 
 #define LEAST_ELEMENT_COSINE lanes(1e-6f)
 
-// The fragment's input for light along `light` (world).
-FUNCTION ElementIn element_input(PRIVATE const SceneView* view, PRIVATE const ElementAxes* a, vec3 light, real n) {
+// The fragment's input for light along `direction` (of the element's axes).
+FUNCTION ElementIn element_input(real lambda_nm, real n, vec3 direction) {
   ElementIn in;
-  in.lambda_nm = wavelength_nm(view);
+  in.lambda_nm = lambda_nm;
   in.n = n;
-  in.direction = vec(dot3(light, a->x), dot3(light, a->y), dot3(light, a->z));
-  in.cosine = pick(abs_of(in.direction.z) > LEAST_ELEMENT_COSINE, abs_of(in.direction.z), LEAST_ELEMENT_COSINE);
-  real side = pick(in.direction.z < lanes(0), lanes(-1), lanes(1));
-  real q2 = in.direction.x * in.direction.x + in.direction.y * in.direction.y;
+  in.direction = direction;
+  in.cosine = pick(abs_of(direction.z) > LEAST_ELEMENT_COSINE, abs_of(direction.z), LEAST_ELEMENT_COSINE);
+  real side = pick(direction.z < lanes(0), lanes(-1), lanes(1));
+  real q2 = direction.x * direction.x + direction.y * direction.y;
   mask tilted = q2 > lanes(0);
   real inverse = lanes(1) / sqrt_of(pick(tilted, q2, lanes(1)));
-  real tx = pick(tilted, in.direction.x * inverse, lanes(1)), ty = pick(tilted, in.direction.y * inverse, lanes(0));
+  real tx = pick(tilted, direction.x * inverse, lanes(1)), ty = pick(tilted, direction.y * inverse, lanes(0));
   in.s = vec(-side * ty, side * tx, lanes(0));
-  in.p = cross3(in.s, in.direction);
-  in.p_reflected = cross3(in.s, vec(in.direction.x, in.direction.y, -in.direction.z));
+  in.p = cross3(in.s, direction);
+  in.p_reflected = cross3(in.s, vec(direction.x, direction.y, -direction.z));
   return in;
 }
 
 FUNCTION ElementOut element_matrices(PRIVATE const SceneView* view, int polarizer, PRIVATE const ElementAxes* a, vec3 light,
                                      real n) {
   GLOBAL const int* use = fragment_use(view, view->polarizers[polarizer * POLARIZER_INTS + POLARIZER_USE]);
-  ElementIn in = element_input(view, a, light, n);
+  ElementIn in = element_input(wavelength_nm(view), n, vec(dot3(light, a->x), dot3(light, a->y), dot3(light, a->z)));
   ElementOut out;
   out.t = out.r = no_light();
   run_element(use[FRAGMENT_INDEX], &in, view->fragment_reals + use[FRAGMENT_FIRST], &out);

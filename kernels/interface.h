@@ -42,29 +42,28 @@ FUNCTION void go_through(PRIVATE const SceneView* view, PRIVATE Path* path, int 
   path->axis = u;
 }
 
-// The fragment's input for a face whose bare coefficients are `f`.
-FUNCTION SurfaceIn surface_input(PRIVATE const SceneView* view, PRIVATE const Interface* face, real cos_i, mask total,
+// The fragment's input for a face whose bare coefficients are `f`; delta = n2^2 - n1^2.
+FUNCTION SurfaceIn surface_input(real lambda_nm, real n1, real k1, real n2, real k2, real delta, real cos_i, mask total,
                                  PRIVATE const SurfaceOut* f) {
   SurfaceIn in;
-  in.lambda_nm = wavelength_nm(view);
-  in.n1 = spectral(view, medium_row(view, face->medium1, MEDIUM_ROW_N));
-  in.n2 = spectral(view, medium_row(view, face->medium2, MEDIUM_ROW_N));
-  in.k1 = spectral(view, medium_row(view, face->medium1, MEDIUM_ROW_K));
-  in.k2 = spectral(view, medium_row(view, face->medium2, MEDIUM_ROW_K));
-  real delta = spectral(view, pair_row(view, face->medium1, face->medium2));
-  real p1 = in.n1 * cos_i;
+  in.lambda_nm = lambda_nm;
+  in.n1 = n1;
+  in.k1 = k1;
+  in.n2 = n2;
+  in.k2 = k2;
+  real p1 = n1 * cos_i;
   p1 = pick(p1 > LEAST_P1, p1, LEAST_P1);
-  in.cosine = p1 / in.n1;
-  in.p1 = complex_of(p1, in.k1 * in.cosine);
-  in.eps1 = complex_of(in.n1 * in.n1 - in.k1 * in.k1, lanes(2) * in.n1 * in.k1);
-  cplx change = complex_of(delta - (in.k2 * in.k2 - in.k1 * in.k1), lanes(2) * (in.n2 * in.k2 - in.n1 * in.k1));
+  in.cosine = p1 / n1;
+  in.p1 = complex_of(p1, k1 * in.cosine);
+  in.eps1 = complex_of(n1 * n1 - k1 * k1, lanes(2) * n1 * k1);
+  cplx change = complex_of(delta - (k2 * k2 - k1 * k1), lanes(2) * (n2 * k2 - n1 * k1));
   in.eps2 = cadd(in.eps1, change);
   in.p2 = forward_root(cadd(cmul(in.p1, in.p1), change), total);
   in.r_s = f->r_s;
   in.r_p = f->r_p;
   in.t_s = f->t_s;
   in.t_p = f->t_p;
-  in.from_inside = face->from_inside;
+  in.from_inside = 0;
   return in;
 }
 
@@ -73,7 +72,12 @@ FUNCTION void wear_surfaces(PRIVATE const SceneView* view, PRIVATE const Interfa
                             PRIVATE SurfaceOut* f) {
   lane_int left = face->surface;
   if (!any_lane(left >= lane_ints(0))) return;
-  SurfaceIn in = surface_input(view, face, cos_i, total, f);
+  SurfaceIn in = surface_input(wavelength_nm(view), spectral(view, medium_row(view, face->medium1, MEDIUM_ROW_N)),
+                               spectral(view, medium_row(view, face->medium1, MEDIUM_ROW_K)),
+                               spectral(view, medium_row(view, face->medium2, MEDIUM_ROW_N)),
+                               spectral(view, medium_row(view, face->medium2, MEDIUM_ROW_K)),
+                               spectral(view, pair_row(view, face->medium1, face->medium2)), cos_i, total, f);
+  in.from_inside = face->from_inside;
   cplx none = complex_of(lanes(0), lanes(0));
   for (int lead = largest_lane(left); lead >= 0; lead = largest_lane(left)) {
     GLOBAL const int* use = fragment_use(view, lead);

@@ -16,7 +16,7 @@
 #include <string>
 
 #include "host/fragments/scene_fragments.hpp"
-#include "host/opencl/device.hpp"
+#include "host/opencl/render.hpp"
 
 namespace nicol {
 
@@ -27,6 +27,6 @@ struct PluginError : DeviceError {
 
 // Throws PluginError; returns warnings, one a line. What was found of a fragment with these values at these wavelengths on this device is
 // remembered within the process.
-std::string check_fragments(Device& device, const SceneFragments& fragments, bool real_double);
+std::string check_fragments(Device& device, const SceneFragments& fragments, const KernelOptions& options);
 
 }  // namespace nicol

@@ -145,6 +145,7 @@ PathRecord record_paths(const Scene& scene, const Geometry& geometry, std::uint3
   if (x < 0 || y < 0 || x >= width || y >= height) throw std::out_of_range("no such pixel in the picture");
   if (wavelength >= scene.lambda_nm.size()) throw std::out_of_range("no such wavelength in the scene");
   const PackedScene packed = pack(scene, geometry, features, width, height, 1);
+  if (packed.fragments) throw std::runtime_error("not known: the scene has optics of plugins, which only the device runs");
   const int pixel = y * width + x;
   const bool shared = !packed.mixing.empty();  // the channels are shapes of spectra: light goes the same way in all of them
   PathLog log, unread;
