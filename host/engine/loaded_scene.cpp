@@ -11,7 +11,6 @@
 
 #include "host/bind/bind.hpp"
 #include "host/crystal_rows.hpp"
-#include "host/engine/plugins.hpp"
 #include "host/fragments/scene_fragments.hpp"
 #include "kernels/waves_kinds.h"
 
@@ -168,24 +167,6 @@ std::string LoadedScene::place(const Location& where) const {
   return fmt::format("{}:{}", parsed.sources.name(where.file), where.line);
 }
 
-namespace {
-
-// The scene's text: handed in, made by a plugin's importer from a file with its suffix, or the file itself.
-void parse(const std::string& path, const SceneOptions& options, plugins::Finder& finder, const sdl::Options& sdl_options,
-           sdl::Result& parsed) {
-  if (options.text) return sdl::parse_text(path, *options.text, sdl_options, parsed);
-  try {
-    const plugins::Importer* importer = finder.importer(fs::path(path).extension().string());
-    if (!importer) return sdl::parse_file(path, sdl_options, parsed);
-    sdl::parse_text(path, importer->read(path), sdl_options, parsed);
-  } catch (const plugins::PluginError& error) {
-    sdl::parse_text(path, "", sdl_options, parsed);
-    parsed.diagnostics.error({0, 1, 1, 0}, error.what());
-  }
-}
-
-}  // namespace
-
 ReadScene read_scene(const std::string& path, const SceneOptions& options, Expectations expectations) {
   const sdl::Options sdl_options = parse_options(options);
   BindOptions wanted = bind_options(path, options);
@@ -194,10 +175,8 @@ ReadScene read_scene(const std::string& path, const SceneOptions& options, Expec
   read.loaded = std::make_unique<LoadedScene>();
   LoadedScene& loaded = *read.loaded;
   sdl::Diagnostics& diagnostics = loaded.parsed.diagnostics;
-  load_plugins(options);
-  plugins::Finder finder = plugin_finder(options);
-  wanted.plugins = &finder;
-  parse(path, options, finder, sdl_options, loaded.parsed);
+  if (options.text) sdl::parse_text(path, *options.text, sdl_options, loaded.parsed);
+  else sdl::parse_file(path, sdl_options, loaded.parsed);
   if (!wanted.lambda_nm.empty() && expectations == Expectations::where_they_apply)
     drop_expectations(loaded.parsed.document);
   if (!loaded.parsed.document.items.empty() || !diagnostics.failed())
