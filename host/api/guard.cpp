@@ -3,8 +3,9 @@
 #include <new>
 
 #include "host/engine/options.hpp"
-#include "host/opencl/device.hpp"
+#include "host/opencl/fragment_check.hpp"
 #include "host/output/frame.hpp"
+#include "host/plugins/source.hpp"
 
 namespace nicol::api {
 namespace {
@@ -41,6 +42,10 @@ nicol_status fail_with_current_exception() noexcept {
     return fail(failure.status, failure.what());
   } catch (const engine::UsageError& error) {
     return fail(NICOL_ERROR_ARGUMENT, error.what());
+  } catch (const plugins::PluginError& error) {
+    return fail(NICOL_ERROR_PLUGIN, error.what());
+  } catch (const PluginError& error) {
+    return fail(NICOL_ERROR_PLUGIN, error.what());
   } catch (const DeviceError& error) {
     return fail(NICOL_ERROR_DEVICE, error.what());
   } catch (const InputError& error) {

@@ -9,6 +9,7 @@
 
 #include "host/channels.hpp"
 #include "host/engine/render_summary.hpp"
+#include "host/opencl/fragment_check.hpp"
 #include "host/output/error_map.hpp"
 #include "host/pack.hpp"
 
@@ -123,6 +124,8 @@ class Making {
       options_.tile = [this](const Frame& frame, const std::int32_t* pixels, std::size_t count) { tell_tile(frame, pixels, count); };
     try {
       picture_.frame = render(device, packed_, lambda_nm_, weight_nm_, options_, picture_.report);
+    } catch (const PluginError&) {
+      throw;
     } catch (const DeviceError& error) {
       throw RenderFailure(error.what());
     }

@@ -47,7 +47,7 @@ HOST_MODULES = {
     "window": {"", "output", "optics", "opencl", "preview", "record"},
     "engine": {"", "optics", "bind", "fragments", "solids", "output", "plugins", "accuracy", "opencl"},
     "app": {"", "optics", "bind", "solids", "output", "plugins", "accuracy", "opencl", "mpi", "engine", "preview", "window"},
-    "api": {"", "optics", "output", "opencl", "engine"},
+    "api": {"", "optics", "output", "opencl", "engine", "plugins"},
 }
 
 OPTICS_WORDS = (
