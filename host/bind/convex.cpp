@@ -67,7 +67,8 @@ std::optional<std::size_t> half_space_count(Context& context, const RawObject& r
   if (is_instance(raw)) return count_of_child(context, *raw.children[0], false);
   if (kind == "box") return 6;
   if (kind == "plane") return 1;
-  if (kind == "crystal" || kind == "gem") return raw.facets.size();
+  if (raw.mesh) return std::nullopt;
+  if (kind == "crystal" || kind == "gem" || kind == "solid") return raw.facets.size();
   if ((kind != "intersection" && kind != "difference") || raw.children.empty())
     return std::nullopt;
   std::size_t sum = 0;
@@ -86,7 +87,7 @@ bool convex_faces(Context& context, const RawObject& raw, std::vector<HalfSpace>
     context.error(raw.block->where, "a twin cannot be cut; 'facet' inside it cuts its individuals");
     return false;
   }
-  if ((kind == "crystal" || kind == "gem") && !is_instance(raw)) faces = raw.facets;
+  if ((kind == "crystal" || kind == "gem" || kind == "solid") && !is_instance(raw)) faces = raw.facets;
   if (kind == "box" && raw.vectors.size() == 2) faces = box_faces(raw);
   if (kind == "plane" && raw.vectors.size() == 1)
     if (const auto h = half_space(context, raw.block->where, raw.vectors[0], raw.numbers[0]))

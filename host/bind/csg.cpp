@@ -95,6 +95,10 @@ class TreeReader {
       node.leaf = *prism;
       return node;
     }
+    if (raw.mesh) {
+      node.leaf = *raw.mesh;
+      return node;
+    }
     ConvexShape convex;
     if (!convex_faces(context_, raw, convex.faces)) return std::nullopt;
     node.leaf = std::move(convex);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host/bind/parts.hpp"
+#include "host/bind/plugin_values.hpp"
 
 namespace nicol {
 
@@ -96,6 +97,17 @@ Schema index_schema(Context& context, const char* name, IndexFormula& formula) {
           f->kind = Kind::mean;
         },
         "arithmetic mean of the `index { }` blocks that follow"},
+       {"plugin", "{}",
+        [=](const Args& a) {
+          const auto index = plugin_index(*c, *a.block);
+          *f = {};
+          f->kind = Kind::constant;
+          f->coefficients = {index && !index->n.empty() ? index->n[0].second : 1.0};
+          if (!index || index->n.size() < 2) return;
+          f->kind = Kind::table;
+          f->points = index->n;
+        },
+        "`\"NAME\" parameter value ...`: a formula that a plugin brings"},
        {"index", "{}",
         [=](const Args& a) {
           IndexFormula part;

@@ -1,5 +1,6 @@
 // Light: spectrum { }, the sky (background { } and sky_sphere { }), luminous { }.
 #include "host/bind/parts.hpp"
+#include "host/bind/plugin_values.hpp"
 
 namespace nicol {
 
@@ -54,6 +55,14 @@ Schema spectrum_schema(Context& context, SpectrumFormula& formula) {
         "nm: all the power in the scene's nearest wavelength"},
        {"table", "{}", take_table, "nm, relative radiance, nm, ..."},
        {"table", "N", take_table, "the same without braces"},
+       {"plugin", "{}",
+        [=](const Args& a) {
+          auto points = plugin_radiance(*c, *a.block);
+          if (!points) return set_named(*f, Kind::e);
+          f->kind = Kind::table;
+          f->points = std::move(*points);
+        },
+        "`\"NAME\" parameter value ...`: a spectrum that a plugin brings"},
        {"", "c",
         [=](const Args& a) {
           set_named(*f, Kind::rgb, {a.colour[0], a.colour[1], a.colour[2]});

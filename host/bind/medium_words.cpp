@@ -1,5 +1,6 @@
 // The words of interior { } and of the blocks in it.
 #include "host/bind/parts.hpp"
+#include "host/bind/plugin_values.hpp"
 
 namespace nicol {
 
@@ -8,7 +9,8 @@ const std::array<const char*, principal::count> principal::names = {
 
 namespace {
 
-Schema one_absorption_schema(Context& context, const char* name, AbsorptionFormula& formula) {
+// coefficient: of the values k, which plugins give, too.
+Schema one_absorption_schema(Context& context, const char* name, AbsorptionFormula& formula, bool coefficient) {
   using Kind = AbsorptionFormula::Kind;
   Context* c = &context;
   AbsorptionFormula* f = &formula;
@@ -16,7 +18,7 @@ Schema one_absorption_schema(Context& context, const char* name, AbsorptionFormu
     f->kind = Kind::table;
     f->points = table_points(*c, a);
   };
-  return {name,
+  Schema schema{name,
           {{"constant", "n",
             [=](const Args& a) {
               f->kind = Kind::constant;
@@ -26,6 +28,17 @@ Schema one_absorption_schema(Context& context, const char* name, AbsorptionFormu
            {"table", "{}", set_table, "nm, value, ..."},
            {"table", "N", set_table, "the same without braces"}},
           {}};
+  if (coefficient)
+    schema.rules.push_back({"plugin", "{}",
+                            [=](const Args& a) {
+                              const auto index = plugin_index(*c, *a.block);
+                              if (!index || index->k.empty()) return;
+                              f->kind = index->k.size() < 2 ? Kind::constant : Kind::table;
+                              f->per_mm = index->k[0].second;
+                              f->points = index->k;
+                            },
+                            "`\"NAME\" parameter value ...`: the k of a formula that a plugin brings"});
+  return schema;
 }
 
 // Reads a block, and tells if nothing in it was a formula.
@@ -39,9 +52,9 @@ void read_formula(Context& context, const Args& args, const Schema& schema, cons
 }
 
 void bind_one_absorption(Context& context, const Args& args, const char* name,
-                         AbsorptionFormula& formula) {
+                         AbsorptionFormula& formula, bool coefficient) {
   formula = {};
-  read_formula(context, args, one_absorption_schema(context, name, formula),
+  read_formula(context, args, one_absorption_schema(context, name, formula, coefficient),
                "'constant' or 'table'",
                [&] { return formula.kind != AbsorptionFormula::Kind::none; });
 }
@@ -203,11 +216,12 @@ Schema rotation_schema(Context& context, RotationFormula& formula) {
 Schema absorption_schema(Context& context, const char* name, RawAbsorption& raw) {
   Context* c = &context;
   RawAbsorption* r = &raw;
-  Schema schema = one_absorption_schema(context, name, raw.every);
+  const bool coefficient = std::string_view(name) == "extinction";
+  Schema schema = one_absorption_schema(context, name, raw.every, coefficient);
   for (int axis = 0; axis < principal::count; ++axis)
     schema.rules.push_back(
         {principal::names[axis], "{}",
-         [=](const Args& a) { bind_one_absorption(*c, a, principal::names[axis], r->along[axis]); },
+         [=](const Args& a) { bind_one_absorption(*c, a, principal::names[axis], r->along[axis], coefficient); },
          "for light that vibrates along this axis"});
   return schema;
 }

@@ -9,7 +9,7 @@ namespace nicol {
 namespace {
 
 const std::vector<const char*> rendered = {"box",          "crystal",   "gem",    "plane", "prism",
-                                           "polygon",      "disc",      "object", "union",
+                                           "polygon",      "disc",      "solid",  "object", "union",
                                            "intersection", "difference", "merge"};
 const std::vector<const char*> not_rendered = {"sphere",       "cylinder",      "cone",
                                                "torus",        "triangle",      "smooth_triangle",
@@ -42,6 +42,7 @@ void add_shape_rules(Context* c, const std::string& kind, RawObject* r, Schema& 
         {"", "nV", store, "number of points, points; each contour ends where it began"});
   if (kind == "crystal") add_crystal_rules(*c, *r, schema);
   if (kind == "gem") add_gem_rules(*c, *r, schema);
+  if (kind == "solid") add_solid_rules(*c, *r, schema);
   if (kind == "prism") {
     rules.push_back(
         {"", "nnnP", store, "y of the foot, y of the top, number of points, points <x,z>"});
@@ -116,11 +117,12 @@ void read_words(Context& context, const sdl::Block& block, RawObject& raw) {
   read_block(context, block, schema);
   if (raw.crystal && raw.children.empty()) finish_crystal(context, raw);
   if (raw.gem && raw.children.empty()) finish_gem(context, raw);
-  const bool has_values = !raw.vectors.empty() || !raw.points.empty() || !raw.facets.empty();
-  const bool shaped = schema.find("", false) || block.name == "crystal";
+  const bool has_values = !raw.vectors.empty() || !raw.points.empty() || !raw.facets.empty() || raw.mesh;
+  const bool shaped = schema.find("", false) || block.name == "crystal" || block.name == "solid";
   if (shaped && !has_values && raw.children.empty() && context.error_count() == errors_before)
     context.error(block.end_where,
-                  block.name == "crystal"
+                  block.name == "solid" ? "Expected 'plugin', } of 'solid' found instead"
+                  : block.name == "crystal"
                       ? "Expected 'facet' or 'form', } of 'crystal' found instead"
                       : "Expected 'numeric expression', } of '" + block.name + "' found instead");
 }

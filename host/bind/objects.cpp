@@ -262,6 +262,20 @@ void add_prism(Context& context, const Chain* chain, Object& object) {
   context.scene.objects.push_back(std::move(object));
 }
 
+void add_mesh(Context& context, const Chain* chain, Object& object) {
+  const RawObject& raw = *chain->raw;
+  if (raw.inverse)
+    return context.error(object.where, "an inverse solid fills all of space; inside an intersection it cuts");
+  const auto convex = planes_of_convex(*raw.mesh);
+  if (convex) add_face_lights(context, chain, *convex, object);
+  else if (!nearest(chain, &RawObject::lights).empty())
+    context.error(object.where, "faces of a solid that is not convex cannot shine; lay a luminous polygon on them");
+  fill_solid(context, chain, object.face_emissions.size() == raw.mesh->faces.size(), object);
+  add_surfaces(context, chain, convex ? &*convex : nullptr, object);
+  object.shape = *raw.mesh;
+  context.scene.objects.push_back(std::move(object));
+}
+
 void add_leaf(Context& context, const Chain* chain) {
   const RawObject& raw = *chain->raw;
   if (context.scene.objects.size() >= context.limits.objects) {
@@ -283,6 +297,7 @@ void add_leaf(Context& context, const Chain* chain) {
                   "from planes with 'intersection', or use 'polygon' or 'disc'");
     return;
   }
+  if (raw.mesh) return add_mesh(context, chain, object);
   if (!raw.individuals.empty()) return add_twin(context, chain, object);
   if (half_space_count(context, raw)) return add_convex(context, chain, object);
   add_csg(context, chain, object);

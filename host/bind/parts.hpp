@@ -192,7 +192,8 @@ struct RawObject {
   std::vector<Vec3> vectors;                  // box, plane, disc, polygon
   std::vector<double> numbers;                // plane, disc, polygon, prism
   std::vector<std::array<double, 2>> points;  // prism
-  std::vector<HalfSpace> facets;              // crystal, gem
+  std::vector<HalfSpace> facets;              // crystal, gem, solid
+  std::shared_ptr<const MeshShape> mesh;      // solid, in place of facets
   std::vector<const sdl::Block*> children;
   Affines transforms;
   CrystalFrame crystal_frame;
@@ -212,6 +213,11 @@ std::vector<std::string> object_names();  // of nicol's
 Schema object_schema(Context& context, const char* kind, RawObject& raw);
 // Reads a block once, however often it is named.
 const RawObject& read_object(Context& context, const sdl::Block& block);
+
+// ---- solid.cpp: what plugins bring ----
+void add_solid_rules(Context& context, RawObject& raw, Schema& schema);
+// One plane for each face; nothing if the mesh is not convex.
+std::optional<ConvexShape> planes_of_convex(const MeshShape& mesh);
 
 // ---- convex.cpp: box, crystal, and what is cut from planes ----
 inline constexpr std::size_t most_faces = 10'000;  // of a solid
