@@ -13,7 +13,7 @@ scene's own unit) in the receiver's frame, x to the right and y up, light runnin
 
 Arrays lie on memory of the picture or scene, without a copy. They are read-only and keep it alive. Where something fails, an Error says
 why; a scene with errors raises SceneError with all its diagnostics. Callbacks run on the calling thread; an exception in one stops
-the call and comes out of it, and so does Ctrl-C. Rendering lets other threads run; two contexts never disturb each other.
+the call and comes out of it, and so does Ctrl-C. Other threads run on while nicol works.
 
 libnicol is looked for where NICOL_LIBRARY says, beside this module, in the prefix that it is installed in, then as the system finds
 libraries. Only numpy is needed beyond Python 3.9.
@@ -384,15 +384,15 @@ def devices():
 class Context(_Owner):
     """A device, and where scenes' files are looked for.
 
-    device: an index, or a part of a device's name; None: a GPU if there is one, else the CPU.
+    device: an index, or a part of a device's name; a list of them, or "all": they share the work; None: a GPU if there is one, else the CPU.
     library_paths: folders where include files are looked for, before nicol's own.
     log: called with a severity ("note", "warning", "error") and a text, for what scenes say by #debug.
     """
 
     def __init__(self, device=None, library_paths=(), log=None):
         paths = _texts(library_paths)
-        options = _sized(_ContextOptions, library_path_count=len(paths), library_paths=paths,
-                         device=None if device is None else str(device).encode())
+        names = [str(name) for name in (device if isinstance(device, (list, tuple)) else [device]) if name is not None]
+        options = _sized(_ContextOptions, library_path_count=len(paths), library_paths=paths, device=",".join(names).encode())
         if log is not None:
             options.log = _callback(_LogCallback, lambda severity, text: log(_SEVERITIES[severity], text.decode(errors="replace")), None)
         pointer = c_void_p()
@@ -402,7 +402,7 @@ class Context(_Owner):
 
     @property
     def device(self):
-        """The device that renders, opened if it is not yet: a record as in devices()."""
+        """The device that renders, or the first of them, opened if it is not yet: a record as in devices()."""
         return _device_of(_filled(_DeviceInfo, _lib.nicol_context_device, self))
 
     def load(self, path, **options):
@@ -531,7 +531,7 @@ class Scene(_Owner):
         """
         first_row, row_count = _span(rows)
         first_column, column_count = _span(columns)
-        first_nm, last_nm = wavelengths_nm or (0, 0)
+        first_nm, last_nm = (0, 0) if wavelengths_nm is None else wavelengths_nm
         number, count = part or (0, 0)
         options = _sized(
             _RenderOptions, precision=_PRECISIONS.index(precision), lanes=lanes, generic=int(generic), no_cache=int(not cache),

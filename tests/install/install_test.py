@@ -23,7 +23,7 @@ FILES = [
     r"bin/nicol", LIB + r"/libnicol\.so", LIB + r"/libnicol\.so\.\d+", LIB + r"/libnicol\.so\.\d+\.\d+\.\d+\.\d+",
     r"include/nicol\.h", r"include/nicol\.hpp", r"include/nicol_plugin\.h", LIB + r"/cmake/nicol/nicolConfig\.cmake",
     LIB + r"/cmake/nicol/nicolConfigVersion\.cmake", LIB + r"/pkgconfig/nicol\.pc", r"lib/python3/dist-packages/nicol\.py",
-    r"share/nicol/array\.sbatch", r"share/nicol/include/\w+\.inc", r"share/nicol/plugins/(\w+)/\w+\.(cl|json|cpp)",
+    r"share/nicol/array\.sbatch", r"share/nicol/include/\w+\.inc", r"share/nicol/plugins/(\w+)/\w+\.(cl|json)",
     LIB + r"/nicol/plugins/\w+\.so"]
 OPTIONAL = {LIB + r"/nicol/plugins/\w+\.so"}
 SOURCES = {"units.inc", "minerals.inc", "closed_forms.inc", "cuts.inc", "illuminants.inc"}
@@ -98,6 +98,19 @@ class Installed(unittest.TestCase):
                 run("sh", "-c", f'eval "$0 -std={standard} $1 -o $2 $({PKG_CONFIG} --cflags --libs nicol)"', compiler, STRANGER / source,
                     self.folder / f"{name}.bin", env=environment)
                 self.check_pictures(name, run(self.folder / f"{name}.bin", self.folder / name, env={}))
+
+    def test_plugins(self):
+        """A shared object of somebody else, put where nicol's own lie, and the fragments that come with nicol."""
+        own = self.lib / "nicol" / "plugins" / "flat.so"
+        own.parent.mkdir(parents=True, exist_ok=True)
+        self.addCleanup(own.unlink)
+        run(CC, "-std=c99", "-shared", "-fPIC", f"-I{self.prefix / 'include'}", STRANGER / "plugin.c", "-o", own)
+        scene = self.folder / "plugins.pov"
+        scene.write_text("""camera { location -4*z look_at 0 polarizer { plugin { "wire_grid" } } }
+background { spectrum { plugin { "flat" } } }
+box { -1, 1 interior { ior 1.5 } }
+""")
+        run(self.prefix / "bin" / "nicol", "check", scene, env={})
 
     def test_python(self):
         program = "\n".join([
