@@ -11,6 +11,7 @@
 
 #include "host/bind/bind.hpp"
 #include "host/crystal_rows.hpp"
+#include "host/engine/plugins.hpp"
 #include "host/fragments/scene_fragments.hpp"
 #include "kernels/waves_kinds.h"
 
@@ -49,21 +50,24 @@ std::vector<double> split_numbers(const std::string& text, char separator) {
 
 namespace fs = std::filesystem;
 
-// The program or the library that this is part of.
-fs::path own_file() {
+}  // namespace
+
+std::string own_file() {
   std::error_code failed;
   Dl_info about{};
   const bool library = dladdr(reinterpret_cast<const void*>(&parse_relative_error), &about) != 0 && about.dli_fname &&
                        std::string_view(about.dli_fname).find(".so") != std::string_view::npos;
-  return library ? fs::canonical(about.dli_fname, failed) : fs::read_symlink("/proc/self/exe", failed);
+  return (library ? fs::canonical(about.dli_fname, failed) : fs::read_symlink("/proc/self/exe", failed)).string();
 }
+
+namespace {
 
 // nicol's own include files, installed or beside the program or where it was built, and POV-Ray's where it is installed.
 std::vector<std::string> standard_libraries() {
   std::error_code failed;
   std::vector<std::string> folders;
   constexpr int levels_up = 4;  // build/release/bin/nicol, usr/lib/x86_64-linux-gnu/libnicol.so
-  fs::path above = own_file().parent_path();
+  fs::path above = fs::path(own_file()).parent_path();
   for (int i = 0; i < levels_up && folders.empty(); ++i, above = above.parent_path())
     for (const char* place : {"scenes/include", "share/nicol/include"})
       if (folders.empty() && fs::is_regular_file(above / place / "units.inc", failed)) folders.push_back((above / place).string());
@@ -167,6 +171,24 @@ std::string LoadedScene::place(const Location& where) const {
   return fmt::format("{}:{}", parsed.sources.name(where.file), where.line);
 }
 
+namespace {
+
+// The scene's text: handed in, made by a plugin's importer from a file with its suffix, or the file itself.
+void parse(const std::string& path, const SceneOptions& options, plugins::Finder& finder, const sdl::Options& sdl_options,
+           sdl::Result& parsed) {
+  if (options.text) return sdl::parse_text(path, *options.text, sdl_options, parsed);
+  try {
+    const plugins::Importer* importer = finder.importer(fs::path(path).extension().string());
+    if (!importer) return sdl::parse_file(path, sdl_options, parsed);
+    sdl::parse_text(path, importer->read(path), sdl_options, parsed);
+  } catch (const plugins::PluginError& error) {
+    sdl::parse_text(path, "", sdl_options, parsed);
+    parsed.diagnostics.error({0, 1, 1, 0}, error.what());
+  }
+}
+
+}  // namespace
+
 ReadScene read_scene(const std::string& path, const SceneOptions& options, Expectations expectations) {
   const sdl::Options sdl_options = parse_options(options);
   BindOptions wanted = bind_options(path, options);
@@ -175,8 +197,10 @@ ReadScene read_scene(const std::string& path, const SceneOptions& options, Expec
   read.loaded = std::make_unique<LoadedScene>();
   LoadedScene& loaded = *read.loaded;
   sdl::Diagnostics& diagnostics = loaded.parsed.diagnostics;
-  if (options.text) sdl::parse_text(path, *options.text, sdl_options, loaded.parsed);
-  else sdl::parse_file(path, sdl_options, loaded.parsed);
+  load_plugins(options);
+  plugins::Finder finder = plugin_finder(options);
+  wanted.plugins = &finder;
+  parse(path, options, finder, sdl_options, loaded.parsed);
   if (!wanted.lambda_nm.empty() && expectations == Expectations::where_they_apply)
     drop_expectations(loaded.parsed.document);
   if (!loaded.parsed.document.items.empty() || !diagnostics.failed())

@@ -24,6 +24,7 @@ struct FrameClock {
 struct SceneOptions {
   int width = 512, height = 512;
   std::vector<std::string> library_paths;
+  std::vector<std::string> plugins;   // shared objects that are loaded: files, or names to be looked for
   std::vector<std::string> declares;  // name=value
   std::string wavelengths;  // from:to:step in nm, or a list with commas; empty: the scene's
   std::optional<int> samples;
