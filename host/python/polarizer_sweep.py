@@ -27,7 +27,8 @@ import nicol
 
 ALONG_MM, AXIS_DEG, ACROSS_MM = 0.05, 30.0, 2.0
 WAVELENGTHS_NM = np.array([450.0, 500.0, 550.0, 600.0, 650.0])
-PLATES = ("nothing", "quartz cut along its axis, 50 µm at 30°", "right quartz cut across its axis, 2 mm")
+COLOURS = ("#3f3fbf", "#1f8fa8", "#2e9a3a", "#d08a00", "#c0281e")
+PLATES = ("nothing in between", "quartz cut along its axis, 50 µm at 30°", "right quartz cut across its axis, 2 mm")
 SCENE = f"""
 #version unofficial 3.7;
 #include "minerals.inc"
@@ -98,10 +99,9 @@ def plot(path, analyzer_deg, points):
 
     fine_deg = np.linspace(0, 180, 361)
     lines = transmitted(fine_deg, WAVELENGTHS_NM)
-    colours = plt.get_cmap("nipy_spectral")((WAVELENGTHS_NM - 400) / 300)
     figure, axes = plt.subplots(1, 3, figsize=(13, 4.2), sharey=True, constrained_layout=True)
     for panel, title, line, point in zip(axes, PLATES, lines, points):
-        for i, (lambda_nm, colour) in enumerate(zip(WAVELENGTHS_NM, colours)):
+        for i, (lambda_nm, colour) in enumerate(zip(WAVELENGTHS_NM, COLOURS)):
             panel.plot(fine_deg, line[:, i], color=colour, linewidth=1)
             panel.plot(analyzer_deg, point[:, i], "o", color=colour, markersize=4, label=f"{lambda_nm:g} nm")
         panel.set(title=title, xlabel="analyzer (degrees)", xticks=range(0, 181, 30), xlim=(-3, 183), ylim=(-0.03, 1.03))

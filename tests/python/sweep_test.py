@@ -16,7 +16,7 @@ import numpy as np
 import nicol
 import polarizer_sweep as sweep
 
-WITHIN = 1e-5  # float, of light that has been through up to 20 faces
+WITHIN = 2e-6  # float, of light that has been through up to 20 faces
 
 
 class Sweep(unittest.TestCase):
