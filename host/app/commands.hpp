@@ -71,5 +71,6 @@ int expect_command(const ExpectCommand& command);
 int devices_command();
 int probe_command(const DeviceOptions& options);
 int words_command();
+int plugins_command(const SceneOptions& options);
 
 }  // namespace nicol::app

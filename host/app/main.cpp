@@ -42,6 +42,9 @@ void add_scene_options(CLI::App& verb, SceneOptions& options) {
   verb.add_option("--adc-bailout", options.adc_bailout,
                   "Weight at which a path is cut off, instead of the scene's")
       ->check(CLI::Range(0.0, 1.0));
+  verb.add_option("--plugin", options.plugins,
+                  "Shared object to load: a file, or a name to be looked for (see `nicol plugins`); may be repeated")
+      ->allow_extra_args(false);
   verb.add_option("--polarization", options.polarization, "on or off, instead of the scene's")
       ->check(CLI::IsMember({"on", "off"}));
 }
@@ -248,6 +251,14 @@ void add_device_verbs(CLI::App& app, DeviceOptions& options, Verb& chosen) {
   verb->callback([&] { chosen = [&] { return probe_command(options); }; });
 }
 
+void add_plugins(CLI::App& app, SceneOptions& options, Verb& chosen) {
+  CLI::App* verb = app.add_subcommand("plugins", "The plugins that are found, and what each takes");
+  verb->add_option("--plugin", options.plugins, "A shared object, or a name to be looked for; may be repeated")
+      ->allow_extra_args(false);
+  verb->add_option("-L,--library", options.library_paths, "Folder to look in, too; may be repeated")->allow_extra_args(false);
+  verb->callback([&] { chosen = [&] { return plugins_command(options); }; });
+}
+
 // CLI11 only says that a subcommand is required.
 void check_verb(CLI::App& app, const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.front().rfind('-', 0) == 0) return;
@@ -277,6 +288,7 @@ int run(const std::vector<std::string>& arguments, nicol::Ranks* ranks) {
   CheckCommand check;
   ExpectCommand expect;
   DeviceOptions device;
+  SceneOptions plugin_options;
   Verb chosen;
   add_render(app, render, chosen);
   add_merge(app, merge, chosen);
@@ -286,6 +298,7 @@ int run(const std::vector<std::string>& arguments, nicol::Ranks* ranks) {
   add_check(app, check, chosen);
   add_expect(app, expect, chosen);
   add_device_verbs(app, device, chosen);
+  add_plugins(app, plugin_options, chosen);
   app.add_subcommand("words", "Every word that a scene may use, as Markdown")->callback([&] {
     chosen = words_command;
   });

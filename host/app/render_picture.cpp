@@ -10,6 +10,7 @@
 #include "host/app/progress_bar.hpp"
 #include "host/app/told_scene.hpp"
 #include "host/engine/picture.hpp"
+#include "host/engine/plugins.hpp"
 #include "host/engine/render_summary.hpp"
 #include "host/mpi/ranks.hpp"
 
@@ -141,6 +142,7 @@ std::vector<std::string> outputs_of(const RenderCommand& command) {
 std::string journal_path(const std::string& output) { return output + ".part"; }
 
 int render_picture(const RenderCommand& command, RenderTools& tools) {
+  load_plugins(command.options);  // their sinks come before the outputs
   const std::vector<Target> targets = make_targets(command);
   if (!command.error_map.empty()) make_sink(command.error_map);
   auto loaded = load_and_tell(command.scene, command.options, Expectations::where_they_apply, &tools.told);
