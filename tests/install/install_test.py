@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """What `cmake --install` leaves, moved elsewhere: the files, the program, and what others build on it with CMake, pkg-config, Python.
 
-install_test.py CMAKE BUILD_FOLDER PKG_CONFIG CC CXX; the Python that runs it has numpy. Programs run with an empty environment.
+install_test.py CMAKE BUILD_FOLDER PKG_CONFIG CC CXX; the Python that runs it has numpy. Programs run with an empty environment but
+for PATH, in which PoCL looks for the linker, and HOME, where kernels are kept.
 """
 
+import os
 import re
 import shutil
 import subprocess
@@ -17,6 +19,7 @@ if __name__ == "__main__":
     del sys.argv[1:6]
 STRANGER = Path(__file__).resolve().parent / "stranger"
 CUBE = Path(__file__).resolve().parents[1] / "app" / "cube.pov"
+EMPTY = {"PATH": "/usr/bin:/bin", **{name: os.environ[name] for name in ("HOME",) if name in os.environ}}
 LIB = r"lib(64|/[a-z0-9_]+-linux-gnu)?"
 # Each must be there, and nothing else.
 FILES = [
@@ -76,7 +79,7 @@ class Installed(unittest.TestCase):
         self.addCleanup((self.prefix / "share" / "nicol" / "include" / "only_here.inc").unlink)
         scene = self.folder / "scene.pov"
         scene.write_text('#include "only_here.inc"\n' + CUBE.read_text().split("expect")[0].replace("<4, 6, 4>", "<Edge, 6, Edge>"))
-        run(self.prefix / "bin" / "nicol", "render", scene, "-W", 32, "-H", 24, "-o", self.folder / "program.png", env={})
+        run(self.prefix / "bin" / "nicol", "render", scene, "-W", 32, "-H", 24, "-o", self.folder / "program.png", env=EMPTY)
         self.assertGreater((self.folder / "program.png").stat().st_size, 100)
 
     def test_cmake(self):
@@ -87,17 +90,17 @@ class Installed(unittest.TestCase):
         needs = run("objdump", "-p", build / "in_c")
         self.assertEqual(set(re.findall(r"NEEDED +(\S+)", needs)), {"libnicol.so.1", "libc.so.6"})
         for name in ("in_c", "in_cpp"):
-            self.check_pictures(name, run(build / name, self.folder / name, env={}))
+            self.check_pictures(name, run(build / name, self.folder / name, env=EMPTY))
 
     def test_pkg_config(self):
-        environment = {"PATH": "/usr/local/bin:/usr/bin:/bin", "PKG_CONFIG_PATH": str(self.lib / "pkgconfig")}
+        environment = {**EMPTY, "PKG_CONFIG_PATH": str(self.lib / "pkgconfig")}
         self.assertEqual(run(PKG_CONFIG, "--modversion", "nicol", env=environment).strip(), "0.1.0")
         for compiler, standard, source in ((CC, "c99", "render.c"), (CXX, "c++17", "render.cpp")):
             with self.subTest(source=source):
                 name = f"pkg_{standard}"
                 run("sh", "-c", f'eval "$0 -std={standard} $1 -o $2 $({PKG_CONFIG} --cflags --libs nicol)"', compiler, STRANGER / source,
                     self.folder / f"{name}.bin", env=environment)
-                self.check_pictures(name, run(self.folder / f"{name}.bin", self.folder / name, env={}))
+                self.check_pictures(name, run(self.folder / f"{name}.bin", self.folder / name, env=EMPTY))
 
     def test_plugins(self):
         """A shared object of somebody else, put where nicol's own lie, and the fragments that come with nicol."""
@@ -110,7 +113,7 @@ class Installed(unittest.TestCase):
 background { spectrum { plugin { "flat" } } }
 box { -1, 1 interior { ior 1.5 } }
 """)
-        run(self.prefix / "bin" / "nicol", "check", scene, env={})
+        run(self.prefix / "bin" / "nicol", "check", scene, env=EMPTY)
 
     def test_python(self):
         program = "\n".join([
@@ -118,9 +121,9 @@ box { -1, 1 interior { ior 1.5 } }
             "picture.write(sys.argv[1] + '.exr')", "picture.write(sys.argv[1] + '.png')",
             "for line in picture.budget.lines: print(line.source, line.rms)", "assert picture.stokes.shape == (4, 3, 24, 32)"])
         folder = self.prefix / "lib" / "python3" / "dist-packages"
-        self.check_pictures("python", run(sys.executable, "-B", "-c", program, self.folder / "python", env={"PYTHONPATH": str(folder)}))
+        self.check_pictures("python", run(sys.executable, "-B", "-c", program, self.folder / "python", env={**EMPTY, "PYTHONPATH": str(folder)}))
         # by the library beside it, and by no other
-        maps = run(sys.executable, "-B", "-c", "import nicol; print(open('/proc/self/maps').read())", env={"PYTHONPATH": str(folder)})
+        maps = run(sys.executable, "-B", "-c", "import nicol; print(open('/proc/self/maps').read())", env={**EMPTY, "PYTHONPATH": str(folder)})
         self.assertEqual({line.split(maxsplit=5)[5] for line in maps.splitlines() if "libnicol" in line},
                          {str(self.lib.resolve() / next(self.lib.glob("libnicol.so.*.*.*.*")).name)})
 
