@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "host/api/handles.hpp"
+#include "host/engine/plugins.hpp"
 
 namespace nicol::api {
 namespace {
@@ -40,6 +41,25 @@ std::vector<std::shared_ptr<Device>> nicol_context::open() {
   const std::lock_guard<std::mutex> held(lock_);
   if (devices_.empty()) devices_ = open_devices(wanted_device);
   return devices_;
+}
+
+void nicol_context::load_plugin(const std::string& path) {
+  engine::SceneOptions options;
+  options.library_paths = library_paths;
+  options.plugins = plugins();
+  options.plugins.push_back(path);
+  try {
+    engine::load_plugins(options);
+  } catch (const engine::UsageError& error) {
+    throw Failure(NICOL_ERROR_PLUGIN, error.what());
+  }
+  const std::lock_guard<std::mutex> held(lock_);
+  plugins_.push_back(path);
+}
+
+std::vector<std::string> nicol_context::plugins() {
+  const std::lock_guard<std::mutex> held(lock_);
+  return plugins_;
 }
 
 void nicol_context::tell(Callbacks& callbacks, nicol_severity severity, const std::string& text) const {
@@ -121,6 +141,16 @@ nicol_status nicol_context_device(nicol_context* context, nicol_device_info* inf
     require(context, "context");
     require(info, "info");
     fill(nicol::info(*context->open().front()), info);
+    return NICOL_OK;
+  });
+}
+
+nicol_status nicol_load_plugin(nicol_context* context, const char* path) {
+  return guarded([&] {
+    require(context, "context");
+    require(path, "path");
+    refuse_in_callback("nicol_load_plugin");
+    context->load_plugin(path);
     return NICOL_OK;
   });
 }

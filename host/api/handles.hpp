@@ -84,10 +84,13 @@ struct nicol_context : nicol::api::Counted {
   void* user = nullptr;
 
   std::vector<std::shared_ptr<nicol::Device>> open();  // DeviceError
+  void load_plugin(const std::string& path);           // Failure
+  std::vector<std::string> plugins();
   void tell(nicol::api::Callbacks& callbacks, nicol_severity severity, const std::string& text) const;
 
  private:
-  std::mutex lock_;
+  std::mutex lock_;  // of what follows
+  std::vector<std::string> plugins_;
   std::vector<std::shared_ptr<nicol::Device>> devices_;
 };
 

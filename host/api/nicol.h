@@ -19,8 +19,8 @@
               several threads. Its renderings take turns; reading scenes does not wait for them. Distinct contexts do not wait for each
               other.
    Callbacks  run on the thread that made the call, before it returns, so several threads that share a context may be in the same
-              callback at once. A callback may call anything but nicol_render, nicol_scene_load_* and nicol_merge, which are refused
-              with NICOL_ERROR_ARGUMENT there. Where one answers an int, 0 means go on and anything else stop. A C++ exception that leaves
+              callback at once. A callback may call anything but nicol_render, nicol_scene_load_*, nicol_merge and
+              nicol_load_plugin, which are refused with NICOL_ERROR_ARGUMENT there. Where one answers an int, 0 means go on and anything else stop. A C++ exception that leaves
               a callback stops the call, which answers NICOL_ERROR_CALLBACK with its words.
    Frames     Pictures are stored row after row, from the top and from the left, as the receiver sees them. Stokes vectors are
               radiance per nm in the scene's own unit, in the receiver's frame, x to the right and y up, light running towards the eye
@@ -114,6 +114,11 @@ NICOL_API nicol_context* nicol_context_retain(nicol_context* context); /* answer
 NICOL_API void nicol_context_release(nicol_context* context);
 /* The device that this context renders on, or the first of them, opened if it is not yet. */
 NICOL_API nicol_status nicol_context_device(nicol_context* context, nicol_device_info* info);
+
+/* Loads a plugin (nicol_plugin.h): its code runs in this process, and stays until the end. path: a file, with a '/' or ending in .so, or a name
+   that is looked for in NICOL_PLUGIN_PATH, the context's library paths and nicol's own folder. What it brings is for the scenes that this
+   context reads afterwards; formats that it writes are there for every picture. NICOL_ERROR_PLUGIN. */
+NICOL_API nicol_status nicol_load_plugin(nicol_context* context, const char* path);
 
 /* ---- Scenes ---- */
 

@@ -132,6 +132,8 @@ class Context {
     return info;
   }
 
+  void load_plugin(const std::string& path) const { detail::check(nicol_load_plugin(get(), path.c_str())); }
+
   // Joins parts written as .exr. incomplete: even where something is missing.
   Picture merge(const std::vector<std::string>& paths, bool incomplete = false) const;
 

@@ -128,6 +128,7 @@ nicol_status load(nicol_context* context, const char* name, const std::string* t
   scene->options.scene = name;
   engine::SceneOptions& how = scene->options.options;
   how = options_of(wanted, *context);
+  how.plugins = context->plugins();
   if (text) how.text = std::make_shared<const std::string>(*text);
   Callbacks callbacks;
   IncludeTexts& includes = scene->includes;
