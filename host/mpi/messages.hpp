@@ -14,10 +14,11 @@ enum class Message : int {
   drop,      // epoch: what was ordered before it is void
   job_end,
   end,
-  ready,     // epoch; the kernel is there, on this device
+  ready,     // epoch; the kernel is there: at this place, on this device, with tiles of so many units
   traced,    // TracedHead, then the sums
   failed,    // epoch, whether it was a shortage, text
-  alive      // nothing else to say for a while
+  alive,     // nothing else to say for a while
+  bye        // the last word after an end
 };
 
 struct TileOrder {

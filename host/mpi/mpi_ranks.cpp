@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <thread>
 
 #include "host/mpi/ranks.hpp"
 #include "host/mpi/remote_executor.hpp"
@@ -74,11 +75,18 @@ class MpiRanks : public Ranks, public ExecutorSource, private Post {
     return code;
   }
 
+  // Finalizing waits for all; a rank that does not answer would never come.
   void end(int code) override {
-    // Finalizing waits for all; a rank that is lost would never come.
-    if (std::any_of(peers_.begin(), peers_.end(), [](const Peer& peer) { return peer.lost; })) MPI_Abort(MPI_COMM_WORLD, code);
     for (const Peer& peer : peers_)
-      if (peer.rank > 0) mail_.send(peer.rank, Message::end, {});
+      if (peer.rank > 0 && !peer.lost) mail_.send(peer.rank, Message::end, {});
+    const auto waiting_since = Peer::Clock::now();
+    const auto all_gone = [&] {
+      return std::all_of(peers_.begin(), peers_.end(), [](const Peer& peer) { return peer.rank == 0 || peer.gone || peer.lost; });
+    };
+    for (; !all_gone() && Peer::Clock::now() - waiting_since < std::chrono::duration<double>(patience_s()); look())
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (std::any_of(peers_.begin(), peers_.end(), [](const Peer& peer) { return peer.rank > 0 && !peer.gone; }))
+      MPI_Abort(MPI_COMM_WORLD, code);
     MPI_Finalize();
   }
 
@@ -96,8 +104,8 @@ class MpiRanks : public Ranks, public ExecutorSource, private Post {
     switch (letter.what) {
       case Message::ready:
         if (in.get<std::int64_t>() != peer.epoch) return;
+        in.get_all(peer.place);
         in.get_all(peer.device);
-        in.get_all<std::string>();
         peer.units_that_fit = in.get<std::int64_t>();
         peer.ready = true;
         return;
@@ -109,6 +117,7 @@ class MpiRanks : public Ranks, public ExecutorSource, private Post {
         peer.shortage = in.get<bool>();
         in.get_all(peer.failure);
         return;
+      case Message::bye: peer.gone = true; return;
       default: return;
     }
   }

@@ -14,6 +14,7 @@ struct Peer {
   int rank = 0;
   std::string place;            // "rank 3 on node7"
   bool lost = false;
+  bool gone = false;            // has said its last word
   bool ready = false;           // for the job
   std::string device;
   std::int64_t units_that_fit = 1;

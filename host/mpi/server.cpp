@@ -30,6 +30,11 @@ int Server::run() {
     std::this_thread::sleep_for(Clock::now() - last_heard_ < awake_for ? short_nap : long_nap);
   }
   executor_.reset();
+  say(Message::bye, {});
+  while (!mail_.all_sent()) {
+    mail_.receive();
+    std::this_thread::sleep_for(short_nap);
+  }
   return 0;
 }
 
@@ -101,7 +106,7 @@ void Server::begin_job(const Letter& letter) {
     BuildReport build;
     executor_ = open_executor(*device_, job_.scene, job_.options, build);
     const DeviceInfo& about = info(*device_);
-    say(Message::ready, BytesOut().put(epoch_).put_all(about.name).put_all(about.driver).put(executor_->units_that_fit()).take());
+    say(Message::ready, BytesOut().put(epoch_).put_all(place_).put_all(about.name).put(executor_->units_that_fit()).take());
   } catch (const std::exception& error) {
     executor_.reset();
     fail(error.what(), false);

@@ -148,26 +148,6 @@ class Losses(Ranks):
         self.assert_same("alone.exr", "a.exr")
         self.assertEqual(self.files(), ["a.exr", "alone.exr"])
 
-    def test_a_rank_that_answers_no_more_is_done_without(self):
-        options = self.long()
-        process = self.start(2, *options, "-o", "a.exr", NICOL_RANK_PATIENCE_S="2")
-        self.wait_for_tiles(process)
-        os.kill(self.rank(1), signal.SIGSTOP)
-        _, told = process.communicate(timeout=PATIENCE_S)
-        self.assertRegex(told, r"rank 1\D.* has not answered for \d+ s")
-        self.assertIn("Its tiles went to the other device", told)
-        self.assert_same("alone.exr", "a.exr")
-        self.assertFalse((self.folder / "a.exr.part").exists())
-
-    def test_a_rank_killed_where_the_job_survives(self):
-        options = self.long()
-        process = self.start(2, *options, "-o", "a.exr", mpirun=["--enable-recovery"], NICOL_RANK_PATIENCE_S="2")
-        self.wait_for_tiles(process)
-        os.kill(self.rank(1), signal.SIGKILL)
-        _, told = process.communicate(timeout=PATIENCE_S)
-        self.assertRegex(told, r"rank 1\D.* has not answered for \d+ s")
-        self.assert_same("alone.exr", "a.exr")
-
     def test_interrupted_at_rank_0(self):
         options = self.long()
         process = self.start(2, *options, "-o", "a.exr")

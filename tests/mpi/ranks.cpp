@@ -1,10 +1,11 @@
 // A render by ranks without a scene file: the stand-in kernel (tests/opencl/stand_in.hpp), whose time and answers are known.
 //
 // ranks OUT SAMPLES TURNS LANES_OVER_PIXELS [JOURNAL [continue]]
-// Writes the picture's floats to OUT and tells "tiles N found N interrupted N", what each rank did, and what went wrong. NICOL_KERNEL_DIR holds
+// Writes the picture's floats to OUT and tells "all work" when each rank has traced a few tiles, at the end "tiles N found N interrupted N", what each rank did, and what went wrong. NICOL_KERNEL_DIR holds
 // the stand-in's trace.cl: `ranks --kernel FOLDER` writes it there.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
@@ -24,7 +25,6 @@ int render_to(const std::string& out, const std::vector<std::string>& arguments,
   scene.reals = {std::stod(arguments.at(1))};
   RenderOptions options;
   options.kernel.lanes = 8;
-  options.kernel.binary_cache = false;
   options.samples = std::stoi(arguments.at(0));
   options.tile_seconds = 0.01;
   options.cancel = &interrupted;
@@ -35,6 +35,13 @@ int render_to(const std::string& out, const std::vector<std::string>& arguments,
   options.journal = journal.get();
   if (ranks) options.others = &ranks->others("");
   RenderReport report;
+  bool told = false;
+  options.progress = [&](const Progress&) {
+    if (told || std::any_of(report.shares.begin(), report.shares.end(), [](const DeviceShare& share) { return share.tiles < 3; })) return;
+    told = true;
+    fmt::print("all work\n");
+    std::fflush(stdout);
+  };
   const auto device = open_device("");
   const Frame frame = render(*device, scene, wavelengths(19), std::vector<double>(19, 10.0), options, report);
   if (!report.interrupted) {
