@@ -32,9 +32,9 @@ class Plugins(runs.Runs):
         (self.folder / name).write_text(HEAD + text, encoding="utf-8")
         return name
 
-    def using(self, formula):
+    def using(self, formula, name="scene.pov"):
         """A cube whose index a plugin gives."""
-        return self.scene(f'box {{ 0, 1 interior {{ index {{ plugin {{ "{formula}" }} }} }} }}\n')
+        return self.scene(f'box {{ 0, 1 interior {{ index {{ plugin {{ "{formula}" }} }} }} }}\n', name)
 
     def test_published_indices_of_lithium_niobate(self):
         """n_o 2.286 and n_e 2.203 at 632.8 nm, 2.232 and 2.156 at 1064 nm: what makers of congruent crystals state at room temperature."""
@@ -134,10 +134,11 @@ class Plugins(runs.Runs):
         shutil.copy(f"{TEST}/bad_nothing.so", self.folder / "grey.so")
         (self.folder / "lib").mkdir()
         shutil.copy(f"{TEST}/lab.so", self.folder / "lib")
-        scene = self.using("lab/grey")
+        scene = self.using("lab/grey", "grey.pov")
         shutil.copy(f"{TEST}/lab.so", self.folder)  # beside the scene, in the working directory: not looked at
-        told = self.refused(["scene.pov:5", "plugin 'lab/grey' is not found", "there is no lab.so in", OWN], "check", scene)
+        told = self.refused(["grey.pov:5", "plugin 'lab/grey' is not found", "there is no lab.so in", OWN], "check", scene)
         self.assertNotIn(str(self.folder), told)
+        self.refused(["plugin 'grey' is not found"], "check", self.using("grey"))
         self.done("check", scene, "-L", "lib")
         self.done("check", scene, "--plugin", "./lab.so")
         self.done("check", scene, "--plugin", "lab.so")
