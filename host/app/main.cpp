@@ -347,6 +347,7 @@ int main(int argc, char** argv) {
     return complain(error.what());
   }
   catch_interrupts();
+  if (ranks && !ranks->advice().empty()) fmt::print(stderr, "nicol: {}\n", ranks->advice());
   const int code = run_and_complain({argv + 1, argv + argc}, ranks.get());
   if (ranks) ranks->end(code);
   return code;

@@ -1,7 +1,9 @@
 // Ranks over MPI.
 #include <fmt/format.h>
 #include <mpi.h>
+#include <sched.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -39,6 +41,7 @@ class MpiRanks : public Ranks, public ExecutorSource, private Post {
     MPI_Comm node;
     MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
     MPI_Comm_rank(node, &on_node_);
+    MPI_Comm_size(node, &node_ranks_);
     MPI_Comm_free(&node);
     place_ = fmt::format("rank {} on {}", rank_, node_name());
     if (rank_ > 0) return;
@@ -50,6 +53,15 @@ class MpiRanks : public Ranks, public ExecutorSource, private Post {
   int rank() const override { return rank_; }
   int count() const override { return count_; }
   int on_node() const override { return on_node_; }
+
+  // Open MPI binds up to two ranks to a core each, whatever else there is.
+  std::string advice() const override {
+    cpu_set_t allowed;
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0 || CPU_COUNT(&allowed) * static_cast<long>(node_ranks_) >= cores) return "";
+    return fmt::format("mpirun binds each of the {} ranks of this machine to {} of its {} cores: mpirun --bind-to none lets them use all",
+                       node_ranks_, CPU_COUNT(&allowed), cores);
+  }
 
   ExecutorSource& others(const std::string& device) override {
     device_ = device;
@@ -124,7 +136,7 @@ class MpiRanks : public Ranks, public ExecutorSource, private Post {
 
   const std::string build_;
   std::string place_, device_;
-  int rank_ = 0, count_ = 1, on_node_ = 0;
+  int rank_ = 0, count_ = 1, on_node_ = 0, node_ranks_ = 1;
   Mail mail_;
   std::vector<Peer> peers_;   // by rank; that of rank 0 stands idle
 };

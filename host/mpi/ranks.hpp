@@ -20,9 +20,11 @@ class Ranks {
   virtual int rank() const = 0;
   virtual int count() const = 0;
   virtual int on_node() const = 0;      // number among those of the same machine, from 0
+  // Rank 0: what the user may want to know of how mpirun has placed the ranks; "": nothing.
+  virtual std::string advice() const = 0;
   // Rank 0: executors on all other ranks that are still there. `device`: as --device says it; each rank takes one of these.
   virtual ExecutorSource& others(const std::string& device) = 0;
-  // The others: trace for rank 0 until it ends. Errors go to standard error.
+  // The others: trace for rank 0 until it ends, and tell it what goes wrong.
   virtual int serve() = 0;
   // Rank 0, last of all: ends the others. code: the program's exit code.
   virtual void end(int code) = 0;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <thread>
 
 #include "host/mpi/ranks.hpp"
@@ -160,7 +159,6 @@ void Server::fail(const std::string& reason, bool shortage) {
   orders_.clear();
   submitted_.clear();
   if (executor_) executor_->drop();
-  fmt::print(stderr, "nicol: {}: {}\n", place_, reason);
   say(Message::failed, BytesOut().put(epoch_).put(shortage).put_all(fmt::format("{}: {}", place_, reason)).take());
 }
 

@@ -201,9 +201,12 @@ void Renderer::give_back(Worker& worker) {
 
 // The others do without it.
 void Renderer::lose(std::size_t index, const DeviceError& error) {
+  const bool had_work = !workers_[index].ranges.empty();
   give_back(workers_[index]);
-  report_.notes.push_back(fmt::format("{}\n  Its tiles went to {}.", error.what(),
-                                      workers_.size() == 2 ? "the other device" : "the others"));
+  report_.notes.push_back(fmt::format("{}\n  {}", error.what(),
+                                      !had_work              ? "The picture is rendered without it."
+                                      : workers_.size() == 2 ? "Its tiles went to the other device."
+                                                             : "Its tiles went to the others."));
   workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(index));
 }
 

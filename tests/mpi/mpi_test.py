@@ -31,7 +31,7 @@ class Ranks(Runs):
         self.environment = {**os.environ, "NICOL_TEST_MARK": self.mark, "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
 
     def command(self, ranks, *arguments, mpirun=()):
-        return [MPIRUN, "--allow-run-as-root", "--oversubscribe", *mpirun, "-n", str(ranks), self.nicol_path, "render", str(SCENE),
+        return [MPIRUN, "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", *mpirun, "-n", str(ranks), self.nicol_path, "render", str(SCENE),
                 *map(str, arguments)]
 
     def start(self, ranks, *arguments, mpirun=(), **more):

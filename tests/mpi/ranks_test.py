@@ -34,7 +34,7 @@ class Runs(unittest.TestCase):
     def start(self, ranks, *arguments, mpirun=(), **more):
         command = [RANKS, *map(str, arguments)]
         if ranks > 0:
-            command = [MPIRUN, "--allow-run-as-root", "--oversubscribe", *mpirun, "-n", str(ranks), *command]
+            command = [MPIRUN, "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", *mpirun, "-n", str(ranks), *command]
         return subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                 env={**self.environment, **more})
 
