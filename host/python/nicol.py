@@ -109,7 +109,7 @@ _TAKES = {
     "nicol_abi_version": [], "nicol_version": [], "nicol_last_error": [], "nicol_status_text": [c_int32],
     "nicol_device_count": [c_void_p], "nicol_device_get": [c_size_t, c_void_p],
     "nicol_context_create": [c_void_p] * 2, "nicol_context_release": [c_void_p], "nicol_context_device": [c_void_p] * 2,
-    "nicol_include_set_text": [c_void_p, c_char_p, c_size_t],
+    "nicol_load_plugin": [c_void_p, c_char_p], "nicol_include_set_text": [c_void_p, c_char_p, c_size_t],
     "nicol_scene_load_file": [c_void_p, c_char_p, c_void_p, c_void_p],
     "nicol_scene_load_text": [c_void_p, c_char_p, c_char_p, c_size_t, c_void_p, c_void_p],
     "nicol_scene_release": [c_void_p], "nicol_scene_explanation": [c_void_p] * 2, "nicol_scene_size": [c_void_p] * 3,
@@ -393,17 +393,22 @@ class Context(_Owner):
         paths = _texts(library_paths)
         names = [str(name) for name in (device if isinstance(device, (list, tuple)) else [device]) if name is not None]
         options = _sized(_ContextOptions, library_path_count=len(paths), library_paths=paths, device=",".join(names).encode())
-        if log is not None:
-            options.log = _callback(_LogCallback, lambda severity, text: log(_SEVERITIES[severity], text.decode(errors="replace")), None)
+        told = lambda severity, text: log(_SEVERITIES[severity], text.decode(errors="replace"))
+        callback = _LogCallback() if log is None else _callback(_LogCallback, told, stop=None)
+        options.log = callback
         pointer = c_void_p()
-        outcome = _Outcome(_lib.nicol_context_create, byref(options), byref(pointer))
-        outcome.check()
-        self._handle = _Handle(pointer, _lib.nicol_context_release, options.log)
+        _call(_lib.nicol_context_create, byref(options), byref(pointer))
+        self._handle = _Handle(pointer, _lib.nicol_context_release, callback)
 
     @property
     def device(self):
         """The device that renders, or the first of them, opened if it is not yet: a record as in devices()."""
         return _device_of(_filled(_DeviceInfo, _lib.nicol_context_device, self))
+
+    def load_plugin(self, path):
+        """Loads a plugin (nicol_plugin.h), a file or a name, for scenes that are read afterwards. Its code runs in this process, and stays
+        until the end; formats that it writes are there for every picture."""
+        _call(_lib.nicol_load_plugin, self, os.fsencode(path))
 
     def load(self, path, **options):
         """The scene in a file. Options: see load_text. Raises SceneError if it has errors."""
@@ -539,11 +544,11 @@ class Scene(_Owner):
             want_error_budget=int(error_budget), part=number, part_count=count, first_row=first_row, row_count=row_count,
             first_column=first_column, column_count=column_count, first_wavelength_nm=first_nm, last_wavelength_nm=last_nm)
         with _Interrupts() as interrupts:
-            stops = lambda: int(interrupts.told is not None or bool(cancel and cancel()))
-            options.cancel = _callback(_CancelCallback, stops)
-            options.progress = _callback(_ProgressCallback, lambda *values: _go_on(progress and progress(*values)))
+            options.cancel = _callback(_CancelCallback, lambda: int(interrupts.told is not None or bool(cancel and cancel())))
+            if progress is not None:
+                options.progress = _callback(_ProgressCallback, _going_on(progress))
             if tile is not None:
-                options.tile = _callback(_TileCallback, lambda address: _go_on(tile(_tile_at(address))))
+                options.tile = _callback(_TileCallback, _going_on(lambda address: tile(_tile_at(address))))
             pointer = c_void_p()
             outcome = _Outcome(_lib.nicol_render, self, byref(options), byref(pointer))
             picture = Picture(_Handle(pointer, _lib.nicol_picture_release, self._handle)) if pointer else None
@@ -560,8 +565,14 @@ class Scene(_Owner):
         return f"<nicol.Scene {self.files[0]}: {self.width} x {self.height} pixels, {_span_text(self.wavelengths_nm)}>"
 
 
-def _go_on(_):
-    return 0
+def _going_on(function):
+    """The function, whatever it answers."""
+
+    def call(*arguments):
+        function(*arguments)
+        return 0
+
+    return call
 
 
 def _span(first_and_stop):

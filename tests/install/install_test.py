@@ -106,7 +106,7 @@ class Installed(unittest.TestCase):
         """A shared object of somebody else, put where nicol's own lie, and the fragments that come with nicol."""
         own = self.lib / "nicol" / "plugins" / "flat.so"
         own.parent.mkdir(parents=True, exist_ok=True)
-        self.addCleanup(own.unlink)
+        self.addCleanup(own.unlink, missing_ok=True)
         run(CC, "-std=c99", "-shared", "-fPIC", f"-I{self.prefix / 'include'}", STRANGER / "plugin.c", "-o", own)
         scene = self.folder / "plugins.pov"
         scene.write_text("""camera { location -4*z look_at 0 polarizer { plugin { "wire_grid" } } }
@@ -114,6 +114,9 @@ background { spectrum { plugin { "flat" } } }
 box { -1, 1 interior { ior 1.5 } }
 """)
         run(self.prefix / "bin" / "nicol", "check", scene, env=EMPTY)
+        elsewhere = shutil.move(own, self.folder / "flat.so")
+        program = f"import nicol; c = nicol.Context(); c.load_plugin({str(elsewhere)!r}); c.load({str(scene)!r})"
+        run(sys.executable, "-B", "-c", program, env={**EMPTY, "PYTHONPATH": str(self.prefix / "lib" / "python3" / "dist-packages")})
 
     def test_python(self):
         program = "\n".join([

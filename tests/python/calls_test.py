@@ -48,6 +48,7 @@ class Errors(unittest.TestCase):
             self.assertRaises(nicol.Error, small().render().write, Path(folder, "a.bmp"))
             self.assertEqual(os.listdir(folder), [])
         self.assertRaisesRegex(nicol.DeviceError, "no such device", nicol.Context, device="no such device")
+        self.assertRaisesRegex(nicol.PluginError, "no_such_plugin", nicol.Context().load_plugin, "no_such_plugin")
         self.assertRaises(nicol.ArgumentError, small, error=2)
         self.assertRaises(ValueError, small().render, precision="half")
         self.assertRaises(ValueError, small().render, rows=(5, 5))
