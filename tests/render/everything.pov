@@ -36,3 +36,6 @@ box { <10, 5, -2>, <11, 6, -1> interior { Biaxial } rotate <0, 0, 0> }
 disc { <-1, 4, -12>, z, 3 polarizer { ideal angle 65 } }
 box { <1, 7, -2>, <4, 9, 1> interior { Glass } }
 polygon { 5, <1, 7, -2>, <4, 7, -2>, <4, 9, -2>, <1, 9, -2>, <1, 7, -2> polarizer { ideal angle 30 projection absorption } }
+// a plugin's element and a plugin's surface
+disc { <3, 2, -14>, <0.2, 0.1, -1>, 2 polarizer { plugin { "../fragments/plugins/ideal_element" } angle 15 } }
+box { <-9, 6, -2>, <-7, 8, 0> interior { Glass } surface { plugin { "../fragments/plugins/bare_face" } } }

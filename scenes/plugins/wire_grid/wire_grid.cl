@@ -12,7 +12,7 @@
 // each polarization: good to a few per cent of T across; the extinction to a factor of about two. Wires without a substrate or oxide.
 // Figures: README.md. Test: tests/fragments/wire_grid_test.cpp.
 
-#define WIRE_GRID_STEPS 8
+#define WIRE_GRID_STEPS 7
 
 // tan, for Im z >= 0: i (1 - w)/(1 + w), w = exp(2 i z), which does not overflow.
 FUNCTION cplx wire_grid_tan(cplx z) {
@@ -95,15 +95,15 @@ FUNCTION wire_grid_matrix wire_grid_columns(wire_grid_matrix m, cplx a, cplx b) 
   return m;
 }
 
-// Tangential E of the reflected light for incident light: with E_t = A a and (z cross H)_t... = B a inside, and `y` taking E_t to the same
-// of a forward wave outside, E_in + E_r = A a, y (E_in - E_r) = B a, so E_r = (2 A (y A + B)^-1 y - 1) E_in.
-FUNCTION wire_grid_matrix wire_grid_reflection(wire_grid_matrix a, wire_grid_matrix b, wire_grid_matrix y) {
-  wire_grid_matrix sum = wire_grid_product(y, a);
-  sum.xx = cadd(sum.xx, b.xx);
-  sum.xy = cadd(sum.xy, b.xy);
-  sum.yx = cadd(sum.yx, b.yx);
-  sum.yy = cadd(sum.yy, b.yy);
-  wire_grid_matrix m = wire_grid_product(a, wire_grid_product(wire_grid_inverse(sum), y));
+// Reflection by fields E = A a and H = B a inside, in amplitudes of which a forward wave outside has as much H as E:
+// in + r = A a, in - r = B a, so r = (2 A (A + B)^-1 - 1) in.
+FUNCTION wire_grid_matrix wire_grid_reflection(wire_grid_matrix a, wire_grid_matrix b) {
+  wire_grid_matrix sum;
+  sum.xx = cadd(a.xx, b.xx);
+  sum.xy = cadd(a.xy, b.xy);
+  sum.yx = cadd(a.yx, b.yx);
+  sum.yy = cadd(a.yy, b.yy);
+  wire_grid_matrix m = wire_grid_product(a, wire_grid_inverse(sum));
   cplx one = real_number(lanes(1)), two = real_number(lanes(2));
   m = wire_grid_columns(m, two, two);
   m.xx = csub(m.xx, one);
@@ -111,17 +111,22 @@ FUNCTION wire_grid_matrix wire_grid_reflection(wire_grid_matrix a, wire_grid_mat
   return m;
 }
 
-// A matrix of tangential fields between unit fields with tangential parts (ix, iy) in, (ox, oy) out: the component along an out field of unit
-// length whose tangential part is `out`, s being tangential itself and p having the length `cosine` there.
-FUNCTION JonesMatrix wire_grid_jones(wire_grid_matrix m, real sx, real sy, real px, real py, real qx, real qy, real cosine) {
-  real inverse2 = lanes(1) / (cosine * cosine);
+// Rows (x, y) of m in the axes u = (-ty, tx) and t = (tx, ty), times the factors of s and p.
+FUNCTION wire_grid_matrix wire_grid_in_plane(wire_grid_matrix m, real tx, real ty, real factor_u, real factor_t) {
+  wire_grid_matrix out;
+  out.xx = cscale(factor_u, csub(cscale(tx, m.yx), cscale(ty, m.xx)));
+  out.xy = cscale(factor_u, csub(cscale(tx, m.yy), cscale(ty, m.xy)));
+  out.yx = cscale(factor_t, cadd(cscale(tx, m.xx), cscale(ty, m.yx)));
+  out.yy = cscale(factor_t, cadd(cscale(tx, m.xy), cscale(ty, m.yy)));
+  return out;
+}
+
+FUNCTION JonesMatrix wire_grid_jones(wire_grid_matrix a, wire_grid_matrix b, real sign_b, real side, real sign_p) {
   JonesMatrix j;
-  cplx from_s_x = cadd(cscale(sx, m.xx), cscale(sy, m.xy)), from_s_y = cadd(cscale(sx, m.yx), cscale(sy, m.yy));
-  cplx from_p_x = cadd(cscale(px, m.xx), cscale(py, m.xy)), from_p_y = cadd(cscale(px, m.yx), cscale(py, m.yy));
-  j.ss = cadd(cscale(sx, from_s_x), cscale(sy, from_s_y));
-  j.sp = cadd(cscale(sx, from_p_x), cscale(sy, from_p_y));
-  j.ps = cscale(inverse2, cadd(cscale(qx, from_s_x), cscale(qy, from_s_y)));
-  j.pp = cscale(inverse2, cadd(cscale(qx, from_p_x), cscale(qy, from_p_y)));
+  j.ss = cscale(lanes(0.5), cadd(a.xx, cscale(sign_b, b.xx)));
+  j.sp = cscale(lanes(0.5) * side, cadd(a.xy, cscale(sign_b, b.xy)));
+  j.ps = cscale(lanes(0.5) * side * sign_p, cadd(a.yx, cscale(sign_b, b.yx)));
+  j.pp = cscale(lanes(0.5) * sign_p, cadd(a.yy, cscale(sign_b, b.yy)));
   return j;
 }
 
@@ -149,29 +154,28 @@ FUNCTION void wire_grid(PRIVATE const ElementIn* in, GLOBAL const scalar* parame
   h.xy = real_number(lanes(0));
   h.yy = ke;
 
-  // of a forward wave outside: n_p E_p along s..., H_t = y E_t, y = [[-kx ky, kx^2 - n^2], [n^2 - ky^2, kx ky]]/kz
-  wire_grid_matrix y;
-  real by_kz = lanes(1) / kz;
-  y.xx = real_number(-kx * ky * by_kz);
-  y.xy = real_number((kx * kx - eps_d) * by_kz);
-  y.yx = real_number((eps_d - ky * ky) * by_kz);
-  y.yy = real_number(kx * ky * by_kz);
+  // Amplitudes per root of flux outside, k along (t, z), u = z cross t: a forward wave has H_t = -kz E_u, H_u = n^2/kz E_t. So
+  // s: E_u sqrt(kz) = -H_t/sqrt(kz),  p: E_t n/sqrt(kz) = H_u sqrt(kz)/n
+  real q2 = in->direction.x * in->direction.x + in->direction.y * in->direction.y;
+  mask tilted = q2 > lanes(0);
+  real inverse = lanes(1) / sqrt_of(pick(tilted, q2, lanes(1)));
+  real tx = pick(tilted, in->direction.x * inverse, lanes(1)), ty = pick(tilted, in->direction.y * inverse, lanes(0));
+  real root = sqrt_of(kz);
+  wire_grid_matrix e_out = wire_grid_in_plane(e, tx, ty, root, in->n / root);
+  wire_grid_matrix h_turned = wire_grid_in_plane(h, tx, ty, root / in->n, lanes(-1) / root), h_out;
+  h_out.xx = h_turned.yx;
+  h_out.xy = h_turned.yy;
+  h_out.yx = h_turned.xx;
+  h_out.yy = h_turned.xy;
 
   // at the front, half the height before the middle: even E_t goes with cos, H_t with -i sin; odd ones the other way round
   real half_height = lanes(0.5) * lanes(P_height) * k0;
   cplx tan_o = wire_grid_tan(cscale(half_height, ko)), tan_e = wire_grid_tan(cscale(half_height, ke));
   cplx sin_o = cscale(lanes(-1), times_i(tan_o)), sin_e = cscale(lanes(-1), times_i(tan_e));
-  wire_grid_matrix even = wire_grid_reflection(e, wire_grid_columns(h, sin_o, sin_e), y);
-  wire_grid_matrix odd = wire_grid_reflection(wire_grid_columns(e, sin_o, sin_e), h, y);
-  wire_grid_matrix t, r;
-  t.xx = cscale(lanes(0.5), csub(even.xx, odd.xx));
-  t.xy = cscale(lanes(0.5), csub(even.xy, odd.xy));
-  t.yx = cscale(lanes(0.5), csub(even.yx, odd.yx));
-  t.yy = cscale(lanes(0.5), csub(even.yy, odd.yy));
-  r.xx = cscale(lanes(0.5), cadd(even.xx, odd.xx));
-  r.xy = cscale(lanes(0.5), cadd(even.xy, odd.xy));
-  r.yx = cscale(lanes(0.5), cadd(even.yx, odd.yx));
-  r.yy = cscale(lanes(0.5), cadd(even.yy, odd.yy));
-  out->t = wire_grid_jones(t, in->s.x, in->s.y, in->p.x, in->p.y, in->p.x, in->p.y, in->cosine);
-  out->r = wire_grid_jones(r, in->s.x, in->s.y, in->p.x, in->p.y, in->p_reflected.x, in->p_reflected.y, in->cosine);
+  wire_grid_matrix even = wire_grid_reflection(e_out, wire_grid_columns(h_out, sin_o, sin_e));
+  wire_grid_matrix odd = wire_grid_reflection(wire_grid_columns(e_out, sin_o, sin_e), h_out);
+  // s is u for light along z and -u for light against it; p has the tangential part t cos, p of reflected light -t cos
+  real side = pick(in->direction.z < lanes(0), lanes(-1), lanes(1));
+  out->t = wire_grid_jones(even, odd, lanes(-1), side, lanes(1));
+  out->r = wire_grid_jones(even, odd, lanes(1), side, lanes(-1));
 }
