@@ -5,6 +5,7 @@
 
 #include "host/opencl/device_executor.hpp"
 #include "host/opencl/errors.hpp"
+#include "host/opencl/fragment_check.hpp"
 
 namespace nicol {
 std::unique_ptr<TileExecutor> open_executor(Device& device, const PackedScene& scene, const RenderOptions& options, BuildReport& build) {
@@ -20,6 +21,10 @@ std::unique_ptr<TileExecutor> open_executor(Device& device, const PackedScene& s
 std::vector<std::unique_ptr<TileExecutor>> open_executors(Device& device, const PackedScene& scene, const RenderOptions& options,
                                                           RenderReport& report) {
   std::vector<std::unique_ptr<TileExecutor>> executors, elsewhere;
+  if (scene.fragments) {
+    const std::string warnings = check_fragments(device, *scene.fragments, options.kernel);
+    if (!warnings.empty()) report.notes.push_back(warnings.substr(0, warnings.size() - 1));   // without the last line's end
+  }
   if (options.others) elsewhere = options.others->executors(scene, options, report.lanes);
   if (!options.only_others || elsewhere.empty()) executors.push_back(open_executor(device, scene, options, report.build));
   RenderOptions same_lanes = options;
