@@ -146,7 +146,7 @@ class Sweeper {
     options.progress = [this](const Progress& progress) { tell(progress); };
     const AccuracyScene scene = scenes_.at(setting);
     if (prepared_.insert({scene.features.mask, setting.real_double}).second)
-      prepare_kernel(device_, scene.features.mask, options.kernel);
+      prepare_kernel(device_, scene.features.contents(), options.kernel);
     const PackedScene packed = pack(scene.scene, *scene.geometry, scene.features.mask, command_.options.width,
                                     command_.options.height, lanes_on(device_, options.kernel));
     RenderReport report;

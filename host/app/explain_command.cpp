@@ -10,12 +10,13 @@
 namespace nicol::app {
 namespace {
 
-void print_kernel(const ExplainCommand& command, std::uint32_t mask) {
+void print_kernel(const ExplainCommand& command, const KernelContents& contents) {
   const auto device = open_wanted_device(command.device);
   const KernelOptions options = kernel_options(command.device);
-  const BuildReport build = prepare_kernel(*device, mask, options);
+  const BuildReport build = prepare_kernel(*device, contents, options);
   fmt::print("kernel for {}: {}\n  {} in {:.3f} s\n", info(*device).name, build.options,
              build.cached ? "loaded from the cache" : "built", build.seconds);
+  if (!build.note.empty()) fmt::print("{}\n", build.note);
 }
 
 }  // namespace
@@ -26,7 +27,7 @@ int explain_command(const ExplainCommand& command) {
   const auto loaded = load_and_tell(command.scene, command.options);
   if (!loaded) return exit_error;
   fmt::print("{}", explanation(*loaded));
-  if (!command.no_build) print_kernel(command, loaded->features.mask);
+  if (!command.no_build) print_kernel(command, loaded->features.contents());
   return exit_done;
 }
 

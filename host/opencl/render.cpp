@@ -154,7 +154,8 @@ BuildReport prepare_kernel(Device& device, const KernelContents& contents, const
     keep(device, *kernel);
   }
   BuildReport report = kernel->report;
-  if (contents.fragments) report.note += check_fragments(device, *contents.fragments, options);
+  const std::string warnings = contents.fragments ? check_fragments(device, *contents.fragments, options) : "";
+  if (!warnings.empty()) report.note += (report.note.empty() ? "" : "\n") + warnings.substr(0, warnings.size() - 1);
   return report;
 }
 

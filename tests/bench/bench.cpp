@@ -185,7 +185,7 @@ void bench_cold_build(const LoadedScene& loaded) {
   KernelOptions cold;
   cold.binary_cache = false;
   fmt::print("kernel build: {:.2f} s with nothing cached\n",
-             prepare_kernel(*open_device(""), loaded.features.mask, cold).seconds);
+             prepare_kernel(*open_device(""), loaded.features.contents(), cold).seconds);
 }
 
 void bench_builds(const LoadedScene& loaded, const Settings& settings) {
@@ -195,8 +195,8 @@ void bench_builds(const LoadedScene& loaded, const Settings& settings) {
   setenv("NICOL_BENCH_SHELL", cold.c_str(), 1);
   if (std::system(fmt::format("sh -c \"$NICOL_BENCH_SHELL\" '{}' '{}'", settings.program, settings.scene).c_str()) != 0)
     fmt::print("(the cold build could not be measured)\n");
-  prepare_kernel(*open_device(""), loaded.features.mask, {});
-  const BuildReport warm = prepare_kernel(*open_device(""), loaded.features.mask, {});
+  prepare_kernel(*open_device(""), loaded.features.contents(), {});
+  const BuildReport warm = prepare_kernel(*open_device(""), loaded.features.contents(), {});
   fmt::print("kernel load: {:.3f} s {}\n", warm.seconds, warm.cached ? "from the binary cache" : "(not cached)");
 }
 
