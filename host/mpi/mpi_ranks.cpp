@@ -145,7 +145,11 @@ class MpiRanks : public Ranks, public ExecutorSource, private Post {
 
 std::unique_ptr<Ranks> join_ranks(const std::string& build) {
   if (ranks_started() < 2) return nullptr;
-  return std::make_unique<MpiRanks>(build);
+  auto ranks = std::make_unique<MpiRanks>(build);
+  if (ranks->count() == ranks_started()) return ranks;
+  MPI_Finalize();
+  throw RanksError(fmt::format("mpirun has started {} ranks, but they are {} to the MPI that nicol is built with, so that each would render the "
+                               "whole picture: use the mpirun of that MPI", ranks_started(), ranks->count()));
 }
 
 }  // namespace nicol
