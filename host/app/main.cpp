@@ -121,6 +121,9 @@ void add_render(CLI::App& app, RenderCommand& command, Verb& chosen) {
   add_error_option(*verb, "--error", command.options.error,
                    "RMS error of the picture relative to its mean radiance: the settings that keep it are picked");
   verb->add_flag("--continue", command.resume, "Go on from what an interrupted or killed render has kept (OUTPUT.part)");
+  verb->add_option("--keep-after", command.keep_after_s, "Seconds from which on finished tiles are kept for that")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   verb->add_option("--error-map", command.error_map, "Picture (.exr or .png) of what each pixel may be off by");
   verb->add_flag("--no-budget", command.no_budget, "Do not look into the picture's errors afterwards");
   add_device_options(*verb, command.device, {"float", "double"});

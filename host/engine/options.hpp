@@ -68,6 +68,7 @@ struct PictureOptions {
   DeviceOptions device;
   std::string journal;          // where finished tiles are kept; "": nowhere
   bool resume = false;          // from the tiles that an unfinished run has kept there
+  double keep_after_s = 3;      // tiles of the first seconds are not worth keeping
   bool tell_resumed = true;     // how many they were
   bool no_budget = false;
   std::string part;             // i/n: this share of the picture's pixels; "": all

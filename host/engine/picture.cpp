@@ -98,6 +98,7 @@ class Making {
     std::string told;
     picture_.journal = Journal::open(wanted_.journal, render_identity(device, packed_, lambda_nm_, options_), wanted_.resume, told);
     options_.journal = picture_.journal.get();
+    options_.journal_after_seconds = wanted_.keep_after_s;
     note(told);
   }
 

@@ -61,7 +61,7 @@ class Animation(Runs):
         trial = time.monotonic()
         self.done("render", *SMALL, "+Owhole/a.exr", "--declare", "Samples=20000", "+KFF1")
         seconds = time.monotonic() - trial
-        long = [*SMALL, "--declare", f"Samples={min(60000, int(20000 * 7 / seconds))}", "+KFF3"]
+        long = [*SMALL, "--declare", f"Samples={min(60000, int(20000 * 2 / seconds))}", "+KFF3", "--keep-after", "0"]
         self.done("render", *long, "+Owhole/a.exr")
         process = self.start(*long, "+Oa.exr")
         kept, deadline = self.folder / "a2.exr.part", time.monotonic() + PATIENCE_S

@@ -18,7 +18,7 @@ from pathlib import Path
 NICOL = sys.argv.pop(1) if __name__ == "__main__" else ""
 SCENE = str(Path(__file__).resolve().parent / "cube.pov")
 PICTURE = ["-W", "256", "-H", "256", "--no-budget"]
-RENDER_S = 7  # tiles are kept from the third second on
+RENDER_S = 2
 PATIENCE_S = 240
 
 
@@ -50,7 +50,7 @@ class Continue(unittest.TestCase):
         self.assertEqual(trial.returncode, 0, trial.stderr)
         (self.folder / "trial.exr").unlink()
         seconds = float(re.search(r"^([\d.]+) s, ", trial.stderr, re.MULTILINE)[1])
-        self.long = [*PICTURE, "--samples", str(int(64 * RENDER_S / max(seconds, 0.005)))]
+        self.long = [*PICTURE, "--keep-after", "0", "--samples", str(int(64 * RENDER_S / max(seconds, 0.005)))]
 
     def render(self, *options):
         return subprocess.run([NICOL, "render", SCENE, *options], cwd=self.folder, capture_output=True, text=True,

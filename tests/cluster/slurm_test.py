@@ -18,7 +18,7 @@ if __name__ == "__main__":
     ARRAY = sys.argv.pop(3)
     Runs.compare_path, Runs.nicol_path = sys.argv.pop(2), sys.argv.pop(1)
 SCENE = Path(__file__).resolve().parents[2] / "scenes" / "founding" / "fig5_active.pov"
-SIZE = ["-W", "160", "-H", "120", "--samples", "24"]  # a part takes some seconds: tiles are kept from the third on
+SIZE = ["-W", "160", "-H", "120", "--samples", "24", "--keep-after", "0"]
 
 
 class Array(Runs):
