@@ -5,6 +5,7 @@
 
 #include "host/bind/bind.hpp"
 #include "host/effects.hpp"
+#include "host/engine/plugins.hpp"
 
 namespace nicol::app {
 
@@ -28,6 +29,8 @@ const AccuracyScenes::Bound& AccuracyScenes::bound_at(const std::vector<double>&
   wanted.height = options_.height;
   wanted.path = loaded_.scene.path;
   wanted.lambda_nm = lambda_nm;
+  plugins::Finder finder = plugin_finder(options_);
+  wanted.plugins = &finder;
   wanted.polarization = loaded_.scene.settings.polarization;
   sdl::Document document = loaded_.parsed.document;
   drop_expectations(document);

@@ -17,6 +17,7 @@
 #include <sstream>
 
 #include "host/engine/loaded_scene.hpp"
+#include "host/engine/plugins.hpp"
 #include "host/bind/bind.hpp"
 #include "host/optics/crystal.hpp"
 
@@ -248,6 +249,9 @@ int print_media(const ExplainCommand& command) {
   wanted.path = command.scene;
   wanted.library_paths = options.library_paths;
   wanted.lambda_nm = table_wavelengths(command.lambda_nm);
+  load_plugins(command.options);
+  plugins::Finder finder = plugin_finder(command.options);
+  wanted.plugins = &finder;
   const std::string path = command.scene.empty() ? standard_library(options) : command.scene;
   const bool library = std::filesystem::path(path).extension() == ".inc";
   const auto media =

@@ -107,7 +107,7 @@ std::string scene_of(const Measurement& measured) {
   for (const Face& face : measured.faces) size = std::fmax(size, face.distance_mm);
   std::string scene = "#version unofficial 3.7;\nglobal_settings { mm_per_unit 1  max_trace_level 12  adc_bailout 2e-3 }\n#declare Size = " +
                       text_of(size) +
-                      ";\ncamera { location <2, 1.5, -6>*Size  look_at 0  angle 30 }\nbackground { rgb 0.1 }\n"
+                      ";\ncamera { location <2, 1.5, -6>*Size  look_at 0  right x*image_width/image_height  angle 30 }\nbackground { rgb 0.1 }\n"
                       "polygon { 5, <-1, -1, 0>, <1, -1, 0>, <1, 1, 0>, <-1, 1, 0>, <-1, -1, 0>\n"
                       "  scale 4*Size translate 4*Size*z luminous { spectrum { d65 } } }\ncrystal {\n";
   for (const Face& face : measured.faces)
