@@ -109,7 +109,7 @@ class Installed(unittest.TestCase):
         self.addCleanup(own.unlink, missing_ok=True)
         run(CC, "-std=c99", "-shared", "-fPIC", f"-I{self.prefix / 'include'}", STRANGER / "plugin.c", "-o", own)
         scene = self.folder / "plugins.pov"
-        scene.write_text("""camera { location -4*z look_at 0 polarizer { plugin { "wire_grid" } } }
+        scene.write_text("""camera { location -4*z look_at 0 right x*image_width/image_height polarizer { plugin { "wire_grid" } angle 0 } }
 background { spectrum { plugin { "flat" } } }
 box { -1, 1 interior { ior 1.5 } }
 """)
