@@ -23,7 +23,7 @@ background { spectrum { e scale 0.4 } }
 polygon { 5, <-8, 0, -8>, <8, 0, -8>, <8, 0, 8>, <-8, 0, 8>, <-8, 0, -8> luminous { spectrum { e } } }
 box { <-4, 0, -4>, <4, 6, 4> interior { ior 1.5 } }
 """
-ENDLESS = {"width": 2048, "height": 2048, "samples": 1000}  # hours, were it not stopped
+ENDLESS = {"width": 1024, "height": 1024, "samples": 1000}  # minutes, were it not stopped
 
 
 def small(text=SCENE, **options):
