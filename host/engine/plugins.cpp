@@ -24,6 +24,16 @@ std::vector<std::string> own_folders() {
   return {};
 }
 
+// Where two want the suffix, the complaint waits for a picture with it.
+SinkMaker maker_for(plugins::Finder& finder, const std::string& suffix) {
+  try {
+    const plugins::Sink* sink = finder.sink(suffix);
+    return [sink](const std::string& path) { return plugins::make_plugin_sink(*sink, path); };
+  } catch (const plugins::PluginError& error) {
+    return [why = std::string(error.what())](const std::string&) -> std::unique_ptr<FrameSink> { throw UsageError(why); };
+  }
+}
+
 }  // namespace
 
 plugins::Finder plugin_finder(const SceneOptions& options) {
@@ -34,14 +44,11 @@ void load_plugins(const SceneOptions& options) {
   plugins::Finder finder = plugin_finder(options);
   try {
     finder.load_named();
-    for (const plugins::Library* library : finder.named())
-      for (const plugins::Sink& sink : library->sinks) {
-        finder.sink(sink.suffix);  // throws where two want it
-        add_sink_maker(sink.suffix, [&sink](const std::string& path) { return plugins::make_plugin_sink(sink, path); });
-      }
   } catch (const plugins::PluginError& error) {
     throw UsageError(error.what());
   }
+  for (const plugins::Library* library : finder.named())
+    for (const plugins::Sink& sink : library->sinks) add_sink_maker(sink.suffix, maker_for(finder, sink.suffix));
 }
 
 }  // namespace nicol::engine

@@ -76,7 +76,7 @@ TEST_CASE("a plugin's formula is sampled at the scene's wavelengths, in any plac
 TEST_CASE("what is wrong with a plugin's block has its place") {
   const auto says = [](const std::string& text, const std::string& words) {
     CHECK_MESSAGE(text.find(words) != std::string::npos, text);
-    CHECK_MESSAGE(text.find("test.pov:2") != std::string::npos, text);
+    CHECK_MESSAGE(text.find("'test.pov' line 2") != std::string::npos, text);
   };
   says(told_of("offset 2"), "Expected the name of a plugin in quotes, 'offset' found instead");
   says(told_of("\"line\""), "plugin 'line' needs 'offset'");

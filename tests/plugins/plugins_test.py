@@ -20,7 +20,7 @@ if __name__ == "__main__":
 
 HEAD = """#version unofficial 3.7;
 global_settings { mm_per_unit 1 wavelengths { 500, 600 } }
-camera { location <2, 1.5, -8> look_at <0.5, 0.5, 0.5> angle 30 }
+camera { location <2, 1.5, -8> look_at <0.5, 0.5, 0.5> angle 30 right x*image_width/image_height }
 background { spectrum { e } }
 """
 GLASS = " interior { ior 1.5 } "
@@ -62,7 +62,7 @@ class Plugins(runs.Runs):
                             ('temperature "hot"', ["string literal found"]),
                             ("temperature 300 temperature 310", ["said twice"])):
             box = f'box {{ 0, 1 interior {{ index {{ plugin {{ "temperature_sellmeier/lithium_niobate_ordinary" {said} }} }} }} }}'
-            self.refused(["scene.pov:5", *words], "check", self.scene(box))
+            self.refused(["File 'scene.pov' line 5", *words], "check", self.scene(box))
 
     def test_spectrum_and_sink(self):
         scene = HEAD.replace("spectrum { e }", 'spectrum { plugin { "lamp" centre 500 width 50 } }')
@@ -87,7 +87,7 @@ class Plugins(runs.Runs):
         self.same_picture("solid { plugin { \"cube\" edge 1 }" + GLASS + "rotate 20*y }\n", "box { 0, 1" + GLASS + "rotate 20*y }\n", *lab)
         self.same_picture("difference { solid { plugin { \"lab/cube\" } } box { 0.5, 2 }" + GLASS + "}\n",
                           "difference { box { 0, 1 } box { 0.5, 2 }" + GLASS + "}\n", *lab)
-        self.refused(["scene.pov:5", "solid is open: the edge from", "has no other face"], "check",
+        self.refused(["File 'scene.pov' line 5", "solid is open: the edge from", "has no other face"], "check",
                      self.scene('solid { plugin { "cube" open 1 }' + GLASS + "}\n"), *lab)
 
     def test_mesh_that_is_not_convex(self):
@@ -126,8 +126,8 @@ class Plugins(runs.Runs):
         gon.write_text("\n".join(text) + "\n", encoding="utf-8")
         self.refused([f"stone.gon line {at + 1}", "rho lies between 0 and 180 degrees"], "check", "stone.gon", "--plugin", "goniometer")
         gon.write_text("face a 0 90 1\n", encoding="utf-8")
-        self.refused(["stone.gon:", "open towards"], "check", "stone.gon", "--plugin", "goniometer")  # in the importer's text
-        self.refused(["scene.pov:5", "cannot find file 'none.gon'"], "check",
+        self.refused(["File 'stone.gon' line 8", "open towards"], "check", "stone.gon", "--plugin", "goniometer")  # in the importer's text
+        self.refused(["File 'scene.pov' line 5", "cannot find file 'none.gon'"], "check",
                      self.scene('solid { plugin { "goniometer" file "none.gon" }' + GLASS + "}\n"))
 
     def test_where_plugins_are_found(self):
@@ -136,7 +136,7 @@ class Plugins(runs.Runs):
         shutil.copy(f"{TEST}/lab.so", self.folder / "lib")
         scene = self.using("lab/grey", "grey.pov")
         shutil.copy(f"{TEST}/lab.so", self.folder)  # beside the scene, in the working directory: not looked at
-        told = self.refused(["grey.pov:5", "plugin 'lab/grey' is not found", "there is no lab.so in", OWN], "check", scene)
+        told = self.refused(["File 'grey.pov' line 5", "plugin 'lab/grey' is not found", "there is no lab.so in", OWN], "check", scene)
         self.assertNotIn(str(self.folder), told)
         self.refused(["plugin 'grey' is not found"], "check", self.using("grey"))
         self.done("check", scene, "-L", "lib")
@@ -148,9 +148,11 @@ class Plugins(runs.Runs):
         self.done("check", self.using("grey"), "--plugin", "lab", env=environment)
         self.refused(["plugin 'lab' is not found", "lab.so"], "check", scene, "--plugin", "lab")
         for name in ("../lab/grey", ".lab", "a/b/c", ""):
-            self.refused(["scene.pov:5"], "check", self.using(name), "-L", "lib")
+            self.refused(["File 'scene.pov' line 5"], "check", self.using(name), "-L", "lib")
         shutil.copy(f"{TEST}/lab.so", self.folder / "lib" / "second.so")
         self.refused(["two plugins have a dispersion formula 'grey'", "lab/grey", "second/grey"], "check", self.using("grey"),
+                     "--plugin", "lib/lab.so", "--plugin", "lib/second.so")
+        self.refused(["two plugins have a sink for .txt", "lab/numbers", "second/numbers"], "render", self.using("lab/grey"), "-o", "out.txt",
                      "--plugin", "lib/lab.so", "--plugin", "lib/second.so")
         self.refused(["has no dispersion formula 'lamp'", "it has: 'grey'"], "check", self.using("lab/lamp"), "-L", "lib")
 
@@ -181,9 +183,9 @@ class Plugins(runs.Runs):
         for wrong, words in cases.items():
             with self.subTest(wrong):
                 folder = self.folder if wrong == "elf" else TEST
-                self.refused(["scene.pov:5", f"{folder}/bad_{wrong}.so", *words], "check", self.using(f"bad_{wrong}"), "-L", folder)
+                self.refused(["File 'scene.pov' line 5", f"{folder}/bad_{wrong}.so", *words], "check", self.using(f"bad_{wrong}"), "-L", folder)
         two = self.scene("".join(f'box {{ {x}, {x + 1} interior {{ index {{ plugin {{ "bad_throws" }} }} }} }}\n' for x in (0, 3)))
-        self.refused(["scene.pov:5", "scene.pov:6", "is not called again"], "check", two, "-L", TEST)
+        self.refused(["File 'scene.pov' line 5", "File 'scene.pov' line 6", "is not called again"], "check", two, "-L", TEST)
         self.refused(["bad_size.so"], "check", self.using("bad_size"), "--plugin", f"{TEST}/bad_size.so")
         self.refused(["there is no such file"], "check", self.using("x"), "--plugin", "./none.so")
 
