@@ -20,7 +20,8 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SCENE = HERE.parent.parent / "scenes" / "founding" / "fig5_active.pov"
-PICTURE = ["-W", "512", "-H", "512", "--no-budget", "--samples", "9"]
+WIDTH, SAMPLES = 256, 4
+PICTURE = ["-W", WIDTH, "-H", WIDTH, "--no-budget", "--samples", SAMPLES]
 
 
 class Bench:
@@ -124,7 +125,7 @@ def components_of_kernel():
 
 
 def on_paper(told_alone, startup, merge, gather, samples):
-    pixels = 512 * 512
+    pixels = WIDTH * WIDTH
     core_s = tracing_seconds(told_alone) / pixels
     start_s = startup["1 pixel, small scene"]
     launches = -(-samples // 16)
@@ -139,7 +140,7 @@ A pixel's sums are {pixel_bytes} bytes for every 16 samples begun: one core send
     for name, limit in limits:
         if limit > 0:
             print(f"    {name:24} {limit / 1e6:8.0f} MB/s: enough for {limit / rate:7.0f} cores")
-    print(f"""  more samples change nothing of that up to 16, and beyond 16 neither: bytes and seconds grow alike.
+    print(f"""  up to 16 samples the bytes stay while the seconds grow: 16 samples are enough work for {16 / min(samples, 16):.0f} times as many cores; beyond 16 both grow.
   --part i/n: nothing is sent; seconds(n) = start-up + tracing / n + merge. Merging reads all pixels once, {part_bytes / merge_s / 1e6:.0f} MB/s here, and
   opens n files:""")
     read_bytes = 3e6  # program, kernel and a scene, as they lie on the disk
@@ -170,7 +171,7 @@ def main():
         gather = measure_gather(bench, str(Path(options.ranks).resolve())) if options.ranks else 0
         if gather:
             print(f"{'gathering at rank 0':40} {gather / 1e6:6.0f} MB/s")
-        on_paper(rows["1 process"][1], startup, merge, gather, 9)
+        on_paper(rows["1 process"][1], startup, merge, gather, SAMPLES)
     finally:
         shutil.rmtree(bench.folder)
 
