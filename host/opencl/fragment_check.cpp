@@ -8,12 +8,12 @@
 #include <complex>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <sstream>
 #include <vector>
 
 #include "host/opencl/errors.hpp"
-#include "host/opencl/program.hpp"
-#include "host/opencl/scalar_buffer.hpp"
+#include "host/opencl/fragment_probe.hpp"
 
 namespace nicol {
 namespace {
@@ -24,7 +24,8 @@ constexpr double refused_above = 1e-3, rounding_float = 3e-5, rounding_double = 
 constexpr std::size_t most_wavelengths = 12;
 constexpr int azimuths = 12;
 constexpr double degree = 3.14159265358979323846 / 180;
-constexpr std::size_t element_values = 5, element_answers = 8, surface_values = 6, surface_answers = 4;
+constexpr std::size_t element_values = FragmentProbe::element_values, element_answers = FragmentProbe::element_answers;
+constexpr std::size_t surface_values = FragmentProbe::surface_values, surface_answers = FragmentProbe::surface_answers;
 
 // What is asked and where that is: `values` for the kernel, and for messages.
 template <std::size_t Count>
@@ -54,13 +55,12 @@ std::vector<std::size_t> chosen_wavelengths(std::size_t count) {
 class Check {
  public:
   Check(Device& device, const SceneFragments& scene, const SceneFragments::Use& use, const KernelOptions& options)
-      : device_(device), scene_(scene), use_(use), fragment_(*use.fragment), real_double_(options.real_double),
-        lanes_(lanes_on(device, options)), cached_(options.binary_cache) {}
+      : device_(device), scene_(scene), use_(use), fragment_(*use.fragment), options_(options) {}
 
   std::string run() {
     if (fragment_.needs_fp64 && !device_.about.has_fp64)
       refuse(fmt::format("needs double precision, which {} has not", device_.about.name));
-    kernel_ = build();
+    probe_.emplace(build());
     if (fragment_.kind == Fragment::Kind::element)
       check_element();
     else
@@ -73,20 +73,9 @@ class Check {
     throw PluginError(fmt::format("{}: plugin '{}' {}", use_.place, fragment_.name, what));
   }
 
-  std::shared_ptr<const Kernel> build() {
-    KernelRequest request;
-    request.file = "fragment_probe.cl";
-    request.name = "probe_fragment";
-    request.fragments = kernel_text({use_.fragment});
-    request.lanes = lanes_;
-    request.real_double = real_double_;
-    request.binary_cache = cached_;
-    request.warm_up = [this](cl::CommandQueue& queue, cl::Kernel& kernel, int local_size) {
-      const cl::Buffer empty(device_.context, CL_MEM_READ_WRITE, 4096);
-      launch(queue, kernel, local_size, empty, empty, empty, 0, 0);
-    };
+  FragmentProbe build() const {
     try {
-      return get_kernel(device_, request);
+      return FragmentProbe(device_, use_.fragment, use_.values, options_);
     } catch (const DeviceError& error) {
       refuse("does not build:\n" + own_messages(error.what()));
     }
@@ -104,49 +93,15 @@ class Check {
     return own.empty() ? log : own;
   }
 
-  void launch(cl::CommandQueue& queue, cl::Kernel& kernel, int local_size, const cl::Buffer& in, const cl::Buffer& out,
-              const cl::Buffer& parameters, std::size_t items, int from_inside) const {
-    kernel.setArg(0, in);
-    kernel.setArg(1, out);
-    kernel.setArg(2, parameters);
-    kernel.setArg(3, static_cast<cl_int>(items));
-    kernel.setArg(4, cl_int{fragment_.kind == Fragment::Kind::surface});
-    kernel.setArg(5, cl_int{from_inside});
-    const std::size_t local = static_cast<std::size_t>(local_size);
-    const std::size_t groups = std::max<std::size_t>(1, (items + local - 1) / local);
-    queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(groups * local), cl::NDRange(local));
-    queue.finish();
-  }
-
-  template <class Real>
-  static std::vector<double> read_back(cl::CommandQueue& queue, const cl::Buffer& buffer, std::size_t count) {
-    std::vector<Real> values(count);
-    queue.enqueueReadBuffer(buffer, CL_TRUE, 0, count * sizeof(Real), values.data());
-    return {values.begin(), values.end()};
-  }
-
-  // `answers` complex numbers for each problem.
+  // `Answers` complex numbers for each problem.
   template <std::size_t Answers, std::size_t Values>
   std::vector<std::array<Number, Answers>> ask(const std::vector<Problem<Values>>& problems, int from_inside = 0) {
-    const std::size_t lanes = static_cast<std::size_t>(lanes_), items = (problems.size() + lanes - 1) / lanes;
-    const std::size_t row = items * lanes;
-    std::vector<double> in(Values * row);
-    for (std::size_t v = 0; v < Values; ++v)
-      for (std::size_t i = 0; i < row; ++i) in[v * row + i] = problems[std::min(i, problems.size() - 1)].values[v];
-    std::vector<double> parameters = use_.values;
-    if (parameters.empty()) parameters.push_back(0);
-    const auto one_at_a_time = device_.wait_for_turn();
-    keep(device_, *kernel_);
-    const cl::Buffer in_buffer = scalar_buffer(device_.context, in, real_double_);
-    const cl::Buffer parameter_buffer = scalar_buffer(device_.context, parameters, real_double_);
-    const std::size_t count = 2 * Answers * row;
-    const cl::Buffer out(device_.context, CL_MEM_WRITE_ONLY, count * (real_double_ ? sizeof(double) : sizeof(float)));
-    launch(device_.queues[0], kernel_->kernel, kernel_->local_size, in_buffer, out, parameter_buffer, items, from_inside);
-    const std::vector<double> numbers =
-        real_double_ ? read_back<double>(device_.queues[0], out, count) : read_back<float>(device_.queues[0], out, count);
+    std::vector<double> values;
+    for (const Problem<Values>& problem : problems) values.insert(values.end(), problem.values.begin(), problem.values.end());
+    const std::vector<Number> numbers = probe_->ask(values, Values, Answers, from_inside);
     std::vector<std::array<Number, Answers>> answers(problems.size());
     for (std::size_t i = 0; i < problems.size(); ++i)
-      for (std::size_t a = 0; a < Answers; ++a) answers[i][a] = {numbers[2 * a * row + i], numbers[(2 * a + 1) * row + i]};
+      for (std::size_t a = 0; a < Answers; ++a) answers[i][a] = numbers[i * Answers + a];
     return answers;
   }
 
@@ -165,7 +120,7 @@ class Check {
   // refused, told as a warning, or within rounding.
   void tell(const Worst& worst, const std::string& what) {
     if (worst.off > refused_above) refuse(what + " at " + worst.where);
-    if (worst.off > (real_double_ ? rounding_double : rounding_float))
+    if (worst.off > (options_.real_double ? rounding_double : rounding_float))
       warnings_ += fmt::format("{}: plugin '{}' {} at {}\n", use_.place, fragment_.name, what, worst.where);
   }
   void tell_all(const Worst& gain, const Worst& loss, const Worst& one_way) {
@@ -300,10 +255,8 @@ class Check {
   const SceneFragments& scene_;
   const SceneFragments::Use& use_;
   const Fragment& fragment_;
-  const bool real_double_;
-  const int lanes_;
-  const bool cached_;
-  std::shared_ptr<const Kernel> kernel_;
+  const KernelOptions& options_;
+  std::optional<FragmentProbe> probe_;
   std::string warnings_;
 };
 
