@@ -32,7 +32,7 @@ double reflected(double angle_deg, const std::string& polarizer, const std::stri
   const std::string camera = "camera { orthographic location <0, " + std::to_string(20 * std::sin(a)) + ", " +
                              std::to_string(-20 * std::cos(a)) + "> look_at 0 right x up y " + polarizer + " }";
   const std::string settings = "global_settings { mm_per_unit 1 } background { spectrum { e } } ";
-  const std::string block = "box { <-500, -500, 0>, <500, 500, 900> interior { ior 1.52 absorption { constant 0.01 } } " + film + " }";
+  const std::string block = "box { <-500, -500, 0>, <500, 500, 900> interior { ior 1.52 absorption { constant 0.05 } } " + film + " }";
   return centre(shoot(settings + camera + block, real_double, "550")) /
          centre(shoot(settings + "camera { location -z look_at 0 " + polarizer + " }", real_double, "550"));
 }
