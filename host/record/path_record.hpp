@@ -45,7 +45,8 @@ struct PathRecord {
 // Of the ray through the middle of pixel (x, y) of a picture of width x height, counted from its upper left corner, at one
 // of the scene's wavelengths (index into Scene::lambda_nm). `features` as the scene is rendered with. It costs what the
 // pixel costs in a picture; threads may record at once. Throws std::out_of_range for a pixel or wavelength that there is
-// not, RecordStopped soon after `stop` is set.
+// not, RecordStopped soon after `stop` is set, std::runtime_error that says why for a scene with fragments of plugins: only the
+// device runs those.
 struct RecordStopped : std::runtime_error {
   RecordStopped() : std::runtime_error("stopped") {}
 };
