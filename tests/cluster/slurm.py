@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 PATIENCE_S = 180
+# cred_expire: a requeued task waits that long
 CONFIGURATION = """ClusterName=nicol
 SlurmctldHost={host}(127.0.0.1)
 SlurmctldPort={controller_port}
@@ -16,7 +17,7 @@ SlurmdPort={node_port}
 SlurmUser={user}
 SlurmdUser={user}
 AuthType=auth/munge
-AuthInfo=socket={folder}/munge.socket
+AuthInfo=socket={folder}/munge.socket,cred_expire=5
 StateSaveLocation={folder}/state
 SlurmdSpoolDir={folder}/spool
 SlurmctldPidFile={folder}/slurmctld.pid

@@ -46,9 +46,10 @@ class Array(Runs):
         self.assertFalse((self.folder / "out.2.exr").exists())
         self.assertTrue(journal.exists())
         self.slurm.run("scontrol", "requeue", task)
+        self.slurm.run("scontrol", "update", f"JobId={task}", "StartTime=now")  # not when its old credential has run out
         wait_for(lambda: set(self.slurm.state(job).split()) == {"COMPLETED"}, "the end of the array", details)
         self.assertFalse(journal.exists())
-        merge = self.slurm.submit(f"--dependency=afterok:{job}", f"--output={self.folder}/merge.log", "--wrap",
+        merge = self.slurm.submit(f"--dependency=afterany:{job}", f"--output={self.folder}/merge.log", "--wrap",
                                   f"{self.nicol_path} merge {out}.*.exr -o {self.folder}/merged.exr")
         wait_for(lambda: self.slurm.state(merge) == "COMPLETED", "the merged picture", details)
         self.assert_same("merged.exr", "whole.exr")

@@ -8,8 +8,8 @@
 // reflection r_even and r_odd, and t = (r_even - r_odd)/2, r = (r_even + r_odd)/2. Inside: the ordinary wave E ~ k cross x with
 // kz^2 = eps_y - kx^2 - ky^2, the extraordinary one H ~ k cross x with kz^2 = eps_x - (eps_x/eps_y) kx^2 - ky^2 (units of k0).
 // Aluminium: eps = 1 - f0 Wp^2/(E (E + i G0)) + sum fj Wp^2/(Ej^2 - E^2 - i E Gj), eV (Rakic et al. 1998, table 2).
-// Valid for period < lambda/(1 + sin(theta))/n (no diffracted order), light near the plane across the wires or along them; one mode of
-// each polarization: good to a few per cent of T across; the extinction to a factor of about two. Wires without a substrate or oxide.
+// Valid for period < lambda/(1 + sin(theta))/n (no diffracted order), light near the plane across the wires or along them. One mode of each
+// polarization, no evanescent orders at the ends of the wires, no substrate, no oxide: how far that is off has not been measured.
 // Figures: README.md. Test: tests/fragments/wire_grid_test.cpp.
 
 #define WIRE_GRID_STEPS 7
