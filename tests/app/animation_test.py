@@ -5,7 +5,6 @@ animation_test.py NICOL COMPARE_EXR
 """
 
 import os
-import shutil
 import signal
 import subprocess
 import sys
@@ -119,7 +118,6 @@ class Animation(Runs):
         self.assertIn("exit code 3", result.stderr)
         self.assertEqual(self.files(), ["a1.png", "a2.png", "arguments.txt", "bin"])
 
-    @unittest.skipUnless(shutil.which("ffmpeg") and shutil.which("ffprobe"), "ffmpeg is not installed")
     def test_a_film_by_ffmpeg(self):
         self.done("render", f"+I{SCENE}", "+W41", "+H31", "+Oa.png", "+KFF5", "--film", "film.mp4")
         told = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames,width,height", "-of",

@@ -46,7 +46,6 @@ class Array(Runs):
         self.assertFalse((self.folder / "out.2.exr").exists())
         self.assertTrue(journal.exists())
         self.slurm.run("scontrol", "requeue", task)
-        self.slurm.run("scontrol", "update", f"JobId={task}", "StartTime=now")  # not when its old credential has run out
         wait_for(lambda: set(self.slurm.state(job).split()) == {"COMPLETED"}, "the end of the array", details)
         self.assertFalse(journal.exists())
         merge = self.slurm.submit(f"--dependency=afterany:{job}", f"--output={self.folder}/merge.log", "--wrap",
