@@ -97,7 +97,8 @@ std::optional<int> serve_as_builder(int argc, const char* const* argv) {
     options.lanes = std::atoi(argv[4]);
     options.real_double = std::string(argv[5]) == "double";
     options.generic = std::string(argv[6]) == "generic";
-    build_kernel(*open_device(argv[2]), static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10)), all_of_standard_input(), options);
+    const auto device = open_device(argv[2]);
+    keep(*device, *build_kernel(*device, static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10)), all_of_standard_input(), options));
     return built;
   } catch (const std::exception&) {
     return failed;   // who asked builds it too, and tells why that fails

@@ -11,28 +11,26 @@ import subprocess
 import sys
 import time
 import unittest
-import uuid
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "app"))
 from runs import PATIENCE_S, Runs  # noqa: E402
 
-MPIRUN = ""
+from mpirun import UnderMpirun  # noqa: E402
+
 SCENE = Path(__file__).resolve().parent.parent / "app" / "cube.pov"
 SMALL = ["-W", "96", "-H", "64", "--no-budget"]
-LONG = ["-W", "192", "-H", "192", "--no-budget"]
-LONG_S = 7  # tiles are kept from the third second on
+LONG = ["-W", "192", "-H", "192", "--no-budget", "--keep-after", "0"]
+LONG_S = 3
 
 
-class Ranks(Runs):
+class Ranks(UnderMpirun, Runs):
     def setUp(self):
         super().setUp()
-        self.mark = uuid.uuid4().hex
-        self.environment = {**os.environ, "NICOL_TEST_MARK": self.mark, "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
+        self.environment = self.mark_ranks()
 
     def command(self, ranks, *arguments, mpirun=()):
-        return [MPIRUN, "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", *mpirun, "-n", str(ranks), self.nicol_path, "render", str(SCENE),
-                *map(str, arguments)]
+        return self.with_mpirun(ranks, [self.nicol_path, "render", str(SCENE), *map(str, arguments)], mpirun)
 
     def start(self, ranks, *arguments, mpirun=(), **more):
         return subprocess.Popen(self.command(ranks, *arguments, mpirun=mpirun), cwd=self.folder, stdout=subprocess.PIPE,
@@ -44,21 +42,6 @@ class Ranks(Runs):
         self.assertEqual(process.returncode, 0, told)
         self.assertEqual(out, "")
         return told
-
-    def rank(self, number):
-        """The process of this rank, once it is there."""
-        wanted = {f"NICOL_TEST_MARK={self.mark}".encode(), f"OMPI_COMM_WORLD_RANK={number}".encode()}
-        deadline = time.monotonic() + PATIENCE_S
-        while time.monotonic() < deadline:
-            for folder in Path("/proc").iterdir():
-                try:
-                    if folder.name.isdigit() and wanted <= set((folder / "environ").read_bytes().split(b"\0")):
-                        return int(folder.name)
-                except OSError:
-                    continue
-            time.sleep(0.05)
-        self.fail(f"rank {number} never came")
-        return 0
 
     def long(self):
         """Options of a render that takes LONG_S with one process, and its picture."""
@@ -161,5 +144,5 @@ class Losses(Ranks):
 
 
 if __name__ == "__main__":
-    Runs.nicol_path, MPIRUN, Runs.compare_path = sys.argv[1:4]
+    Runs.nicol_path, UnderMpirun.mpirun_path, Runs.compare_path = sys.argv[1:4]
     unittest.main(argv=sys.argv[:1] + sys.argv[4:])

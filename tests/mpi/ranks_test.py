@@ -12,30 +12,28 @@ import sys
 import tempfile
 import time
 import unittest
-import uuid
 from pathlib import Path
 
-RANKS = MPIRUN = ""
-PATIENCE_S = 120
+from mpirun import PATIENCE_S, UnderMpirun
+
+RANKS = ""
 
 
-class Runs(unittest.TestCase):
+class Runs(UnderMpirun, unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
         (self.folder / "kernels").mkdir()
-        self.mark = uuid.uuid4().hex
-        self.environment = {**os.environ, "NICOL_TEST_MARK": self.mark, "NICOL_KERNEL_DIR": str(self.folder / "kernels"),
-                            "XDG_CACHE_HOME": str(self.folder / "cache"), "POCL_CACHE_DIR": str(self.folder / "pocl"),
-                            "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}  # it needs rights that containers may lack
+        self.environment = {**self.mark_ranks(), "NICOL_KERNEL_DIR": str(self.folder / "kernels"),
+                            "XDG_CACHE_HOME": str(self.folder / "cache"), "POCL_CACHE_DIR": str(self.folder / "pocl")}
         subprocess.run([RANKS, "--kernel", "kernels"], cwd=self.folder, check=True)
         self.done(0, "first", 1, 1, 0)  # its kernel is in the cache from here on
 
     def start(self, ranks, *arguments, mpirun=(), **more):
         command = [RANKS, *map(str, arguments)]
         if ranks > 0:
-            command = [MPIRUN, "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", *mpirun, "-n", str(ranks), *command]
+            command = self.with_mpirun(ranks, command, mpirun)
         return subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                 env={**self.environment, **more})
 
@@ -53,21 +51,6 @@ class Runs(unittest.TestCase):
         """Turns of the stand-in's loop with which one process takes so long."""
         told = self.done(0, "trial", samples, 50, 0)
         return int(50 * seconds / max(0.001, float(re.search(r"seconds ([\d.]+)", told)[1])))
-
-    def rank(self, number):
-        """The process of this rank, once it is there."""
-        wanted = {f"NICOL_TEST_MARK={self.mark}".encode(), f"OMPI_COMM_WORLD_RANK={number}".encode()}
-        deadline = time.monotonic() + PATIENCE_S
-        while time.monotonic() < deadline:
-            for folder in Path("/proc").iterdir():
-                try:
-                    if folder.name.isdigit() and wanted <= set((folder / "environ").read_bytes().split(b"\0")):
-                        return int(folder.name)
-                except OSError:
-                    continue
-            time.sleep(0.05)
-        self.fail(f"rank {number} never came")
-        return 0
 
     def wait_for_all(self, process):
         """Every rank has traced some tiles, and the journal has them."""
@@ -156,5 +139,5 @@ class Losses(Runs):
 
 
 if __name__ == "__main__":
-    RANKS, MPIRUN = sys.argv[1:3]
+    RANKS, UnderMpirun.mpirun_path = sys.argv[1:3]
     unittest.main(argv=sys.argv[:1] + sys.argv[3:])

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/bind/bind.hpp"
+#include "host/plugins/finder.hpp"
 #include "host/solids/solids.hpp"
 #include "sdl/parse.hpp"
 
@@ -21,10 +22,15 @@ struct Loaded {
 inline Loaded read(const std::string& text, const std::string& name = "test.pov") {
   Loaded loaded;
   sdl::Options options;
-  for (const char* folder : {"/include", "/founding", "/gems", "/conical"})
+  for (const char* folder : {"/include", "/founding", "/gems", "/conical", "/plugins"})
     options.library_paths.push_back(std::string(SCENES_FOLDER) + folder);
+  plugins::Finder plugins(plugins::places_of({}, {}, {PLUGINS_FOLDER}));
+  BindOptions wanted;
+  wanted.library_paths = options.library_paths;
+  wanted.path = name;
+  wanted.plugins = &plugins;
   sdl::parse_text(name, text, options, *loaded.parsed);
-  loaded.scene = bind(loaded.parsed->document, {}, loaded.parsed->diagnostics);
+  loaded.scene = bind(loaded.parsed->document, wanted, loaded.parsed->diagnostics);
   CHECK_MESSAGE(!loaded.parsed->diagnostics.failed(), loaded.parsed->diagnostics.text());
   return loaded;
 }
