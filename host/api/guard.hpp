@@ -42,13 +42,20 @@ inline void require(bool right, const std::string& text) {
   if (!right) throw Failure(NICOL_ERROR_ARGUMENT, text);
 }
 
+// Far more than any struct here will have: beyond it struct_size was never set.
+constexpr std::size_t longest_struct = 65536;
+
+inline void require_size(std::size_t size, const char* name) {
+  require(size >= sizeof(std::uint32_t) && size <= longest_struct, std::string(name) + ": struct_size is not set");
+}
+
 // The struct that a caller fills, as far as it reaches; what this library does not know of it must be zero.
 template <class Struct>
 Struct taken(const Struct* given, const char* name) {
   Struct taken{};
   if (!given) return taken;
   const std::size_t size = given->struct_size;
-  require(size >= sizeof(std::uint32_t), std::string(name) + ": struct_size is not set");
+  require_size(size, name);
   const auto* bytes = reinterpret_cast<const unsigned char*>(given);
   for (std::size_t i = sizeof(Struct); i < size; ++i)
     require(bytes[i] == 0, std::string(name) + " asks for what this version of libnicol does not know");
@@ -62,7 +69,7 @@ template <class Struct>
 void give(const Struct& values, Struct* wanted, const char* name) {
   require(wanted, name);
   const std::uint32_t size = wanted->struct_size;
-  require(size >= sizeof(std::uint32_t), std::string(name) + ": struct_size is not set");
+  require_size(size, name);
   std::memset(wanted, 0, size);
   std::memcpy(wanted, &values, std::min<std::size_t>(size, sizeof(Struct)));
   wanted->struct_size = size;

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 
 #include "host/app/commands.hpp"
 #include "host/engine/merged_picture.hpp"
@@ -12,6 +13,11 @@ namespace nicol::app {
 int merge_command(const MergeCommand& command) {
   std::vector<std::unique_ptr<FrameSink>> sinks;
   for (const std::string& path : command.outputs) sinks.push_back(make_sink(path));
+  for (const std::string& output : command.outputs)
+    for (const std::string& part : command.parts) {
+      std::error_code none;
+      if (std::filesystem::equivalent(output, part, none)) throw UsageError(fmt::format("{} is one of the parts: the whole takes another name", output));
+    }
   const auto start = std::chrono::steady_clock::now();
   const MergedPicture merged = merge_parts(command.parts, command.incomplete, command.command_line);
   for (const std::string& warning : merged.warnings) fmt::print(stderr, "warning: {}\n", warning);

@@ -1,5 +1,7 @@
 #include "host/fragments/manifest.hpp"
 
+#include "host/fragments/recursion.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -173,6 +175,9 @@ class Reader {
     if (!text) throw ManifestError(file_ + ": its OpenCL C '" + f.file + "' cannot be read");
     if (text->size() > most_bytes) throw ManifestError(f.file + ": too large for a fragment");
     f.text = *text;
+    if (const auto recursion = find_recursion(f.text))
+      throw ManifestError(f.file + ":" + std::to_string(recursion->line) + ": '" + recursion->function +
+                          "' calls itself: OpenCL C has no recursion");
     std::istringstream lines(f.text);
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {

@@ -21,9 +21,9 @@ class Mail {
  public:
   // Kept until it is on its way.
   void send(int to, Message what, Parcel bytes) {
-    sent_.push_back({std::move(bytes), {}});
+    if (bytes.size() > most_bytes) throw DeviceError("a message between ranks is larger than MPI can count: take fewer pixels at once");
+    sent_.push_back({std::move(bytes), MPI_REQUEST_NULL});
     Outgoing& out = sent_.back();
-    if (out.bytes.size() > most_bytes) throw DeviceError("a message between ranks is larger than MPI can count: take fewer pixels at once");
     MPI_Isend(out.bytes.data(), static_cast<int>(out.bytes.size()), MPI_BYTE, to, static_cast<int>(what), MPI_COMM_WORLD, &out.request);
   }
 

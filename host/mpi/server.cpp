@@ -57,7 +57,7 @@ void Server::take(const Letter& letter) {
       const auto listed = in.get_all<std::vector<std::int32_t>>();
       try {
         if (executor_) executor_->begin_pass(listed, begin, end);
-      } catch (const DeviceError& error) {
+      } catch (const std::exception& error) {
         fail(error.what(), false);
       }
       return;
@@ -127,7 +127,7 @@ bool Server::work() {
     }
   } catch (const ShortageError& error) {
     fail(error.what(), true);
-  } catch (const DeviceError& error) {
+  } catch (const std::exception& error) {
     fail(error.what(), false);
   }
   return moved;
