@@ -136,9 +136,14 @@ TEST_CASE("structs of an older and of a newer header") {
   CHECK(told("does not know"));
   newer.unknown = 0;
   CHECK(nicol_render(scene, &newer.known, &picture) == NICOL_OK);
-  newer.known.struct_size = 0;
   nicol_picture* none = nullptr;
-  CHECK(nicol_render(scene, &newer.known, &none) == NICOL_ERROR_ARGUMENT);
+  for (const std::uint32_t never_set : {0u, 0x7fffffffu}) {
+    newer.known.struct_size = never_set;
+    CHECK(nicol_render(scene, &newer.known, &none) == NICOL_ERROR_ARGUMENT);
+    auto device = sized_struct<nicol_device_info>();
+    device.struct_size = never_set;
+    CHECK(nicol_device_get(0, &device) == NICOL_ERROR_ARGUMENT);
+  }
   auto report = sized_struct<nicol_report>();
   report.segments = 77;
   report.struct_size = offsetof(nicol_report, segments);

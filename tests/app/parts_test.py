@@ -81,6 +81,7 @@ class Parts(Runs):
         self.assert_same("m.exr", "whole.exr")
         self.render(FOUNDING, "blue.exr", "--wavelengths", "0..500")
         self.refused(["the wavelengths 520, 540"], "merge", "blue.exr", "-o", "n.exr")
+        self.refused([f"{names[0]} is one of the parts"], "merge", *names, "-o", names[0])
 
     def test_what_does_not_belong_together_is_told(self):
         self.render(CUBE, "a.exr", "--part", "1/2")
