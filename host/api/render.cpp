@@ -144,8 +144,9 @@ class Rendering {
 
   void finish(nicol_picture& made) {
     engine::Picture& picture = made.picture;
+    if (picture.journal && !picture.report.interrupted) picture.journal->remove();
+    picture.journal.reset();   // who goes on from it needs it, whatever becomes of this picture
     if (picture.report.interrupted) return;
-    if (picture.journal) picture.journal->remove();
     if (options_.error_bound) made.bound = engine::error_bound(picture);
   }
 
