@@ -341,7 +341,11 @@ def _plain(value, **changes):
 
 def _sized(kind, **values):
     """A struct of this version's size; None stays zero."""
-    return kind(struct_size=ctypes.sizeof(kind), **{name: value for name, value in values.items() if value is not None})
+    made = kind(struct_size=ctypes.sizeof(kind), **{name: value for name, value in values.items() if value is not None})
+    for name, value in values.items():
+        if isinstance(value, int) and getattr(made, name) != value:  # ctypes cuts off what does not fit
+            raise ValueError(f"{name}: {value} is out of range")
+    return made
 
 
 def _filled(kind, function, *arguments):
@@ -351,8 +355,24 @@ def _filled(kind, function, *arguments):
     return value
 
 
+def _name(text):
+    """A path or another name, for C: a text without zeros."""
+    data = os.fsencode(text)
+    if b"\0" in data:
+        raise ValueError("embedded null byte")
+    return data
+
+
 def _texts(texts):
-    return (c_char_p * len(texts))(*map(os.fsencode, texts))
+    if isinstance(texts, (str, bytes, os.PathLike)):
+        raise TypeError(f"a list of texts is wanted, not {texts!r} alone")
+    return (c_char_p * len(texts))(*map(_name, texts))
+
+
+def _content(text):
+    if not isinstance(text, (str, bytes, bytearray, memoryview)):
+        raise TypeError(f"a text is wanted, not {type(text).__name__}")
+    return text.encode() if isinstance(text, str) else bytes(text)
 
 
 def _doubles(values):
@@ -408,11 +428,11 @@ class Context(_Owner):
     def load_plugin(self, path):
         """Loads a plugin (nicol_plugin.h), a file or a name, for scenes that are read afterwards. Its code runs in this process, and stays
         until the end; formats that it writes are there for every picture."""
-        _call(_lib.nicol_load_plugin, self, os.fsencode(path))
+        _call(_lib.nicol_load_plugin, self, _name(path))
 
     def load(self, path, **options):
         """The scene in a file. Options: see load_text. Raises SceneError if it has errors."""
-        return self._scene(_lib.nicol_scene_load_file, (os.fsencode(path),), **options)
+        return self._scene(_lib.nicol_scene_load_file, (_name(path),), **options)
 
     def load_text(self, text, name="scene.pov", **options):
         """The scene in a text, called `name` in messages; files are looked for in the folder of `name` too.
@@ -424,8 +444,8 @@ class Context(_Owner):
         include: called with the name of each #include; answers its text (str, bytes), or None: it is a file.
         clock, frame_number, initial_frame, final_frame, clock_delta, initial_clock, final_clock: of an animation, as POV-Ray's.
         """
-        data = text.encode() if isinstance(text, str) else bytes(text)
-        return self._scene(_lib.nicol_scene_load_text, (os.fsencode(name), data, len(data)), **options)
+        data = _content(text)
+        return self._scene(_lib.nicol_scene_load_text, (_name(name), data, len(data)), **options)
 
     def merge(self, paths, incomplete=False):
         """Parts of a picture, as .exr files, joined to the bits of one run. incomplete: what is missing does not matter."""
@@ -466,7 +486,7 @@ def _include(include, name, place):
     text = include(name.decode(errors="replace"))
     if text is None:
         return 0
-    data = text.encode() if isinstance(text, str) else bytes(text)
+    data = _content(text)
     _call(_lib.nicol_include_set_text, place, data, len(data))
     return 0
 
@@ -540,7 +560,7 @@ class Scene(_Owner):
         number, count = part or (0, 0)
         options = _sized(
             _RenderOptions, precision=_PRECISIONS.index(precision), lanes=lanes, generic=int(generic), no_cache=int(not cache),
-            resume=int(resume), journal=None if journal is None else os.fsencode(journal), want_error_bound=int(error_bound),
+            resume=int(resume), journal=None if journal is None else _name(journal), want_error_bound=int(error_bound),
             want_error_budget=int(error_budget), part=number, part_count=count, first_row=first_row, row_count=row_count,
             first_column=first_column, column_count=column_count, first_wavelength_nm=first_nm, last_wavelength_nm=last_nm)
         with _Interrupts() as interrupts:
@@ -740,11 +760,11 @@ class Picture(_Owner):
 
     def write(self, path):
         """.exr: wavelengths, Stokes vectors, planes. .png: colours. The file appears whole or not at all."""
-        _call(_lib.nicol_picture_write, self, os.fsencode(path))
+        _call(_lib.nicol_picture_write, self, _name(path))
 
     def write_error_map(self, path):
         """The same of its error bound, as a picture."""
-        _call(_lib.nicol_picture_write_error_map, self, os.fsencode(path))
+        _call(_lib.nicol_picture_write_error_map, self, _name(path))
 
     def __repr__(self):
         if self._handle is None:

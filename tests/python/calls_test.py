@@ -64,6 +64,18 @@ class Errors(unittest.TestCase):
                 use()
             self.assertIn("closed", repr(thing))
 
+    def test_what_c_would_misread(self):
+        for wrong in ({"samples": 2**33 + 1}, {"declares": {"Sk\0y": 1}}):
+            with self.subTest(wrong=wrong), self.assertRaises(ValueError):
+                small(**wrong)
+        with self.assertRaises(ValueError):
+            small().render(lanes=2**32)
+        with self.assertRaises(ValueError):
+            small().render().write("a.exr\0b.png")
+        for call in (lambda: small(library_paths="/tmp"), lambda: small(7), lambda: small('#include "x.inc"', include=lambda name: 5),
+                     lambda: nicol.merge("abc")):
+            self.assertRaises(TypeError, call)
+
     def test_devices(self):
         found = nicol.devices()
         with nicol.Context(device=0) as context:
