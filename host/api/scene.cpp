@@ -1,6 +1,8 @@
 // Scenes of the C interface: reading, diagnostics, explanation.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -36,6 +38,12 @@ double checked_error(double value, const char* name) {
   return value;
 }
 
+// Letters, digits and _, not beginning with a digit: as POV-Ray's identifiers.
+bool is_identifier(const std::string& name) {
+  const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  return !name.empty() && std::isdigit(static_cast<unsigned char>(name[0])) == 0 && std::all_of(name.begin(), name.end(), fits);
+}
+
 void take_names(const nicol_scene_options& wanted, const nicol_context& context, engine::SceneOptions& options) {
   require(wanted.library_path_count == 0 || wanted.library_paths, "library_paths is NULL");
   for (uint32_t i = 0; i < wanted.library_path_count; ++i) {
@@ -47,7 +55,7 @@ void take_names(const nicol_scene_options& wanted, const nicol_context& context,
   for (size_t i = 0; i < wanted.declare_count; ++i) {
     require(wanted.declare_names[i], "one of declare_names");
     const std::string name = wanted.declare_names[i];
-    require(!name.empty() && name.find('=') == std::string::npos, fmt::format("'{}' is no name to declare", name));
+    require(is_identifier(name), fmt::format("'{}' is no name to declare", name));
     require(std::isfinite(wanted.declare_values[i]), fmt::format("the value of '{}' is no number", name));
     options.declares.push_back(name + "=" + exact(wanted.declare_values[i]));
   }
@@ -57,6 +65,10 @@ void take_names(const nicol_scene_options& wanted, const nicol_context& context,
 }
 
 void take_clock(const nicol_scene_options& wanted, engine::FrameClock& clock) {
+  for (const double value : {wanted.clock, wanted.clock_delta, wanted.initial_clock, wanted.final_clock})
+    require(std::isfinite(value), "a clock is no number");
+  require(0 <= wanted.initial_frame && wanted.initial_frame <= wanted.final_frame,
+          fmt::format("there are no frames {} to {}", wanted.initial_frame, wanted.final_frame));
   clock.frame_number = wanted.frame_number;
   clock.initial_frame = wanted.initial_frame;
   clock.final_frame = wanted.final_frame;

@@ -104,6 +104,11 @@ TEST_CASE("numbers that make no sense are refused, with words") {
   CHECK(load([](auto& o) { o.error = 2; }) == NICOL_ERROR_ARGUMENT);
   CHECK(load([](auto& o) { o.polarization = 9; }) == NICOL_ERROR_ARGUMENT);
   CHECK(load([&](auto& o) { o.declare_count = 1, o.declare_names = &name, o.declare_values = &nan; }) == NICOL_ERROR_ARGUMENT);
+  const char* no_name = "x; box{}";
+  const double one = 1;
+  CHECK(load([&](auto& o) { o.declare_count = 1, o.declare_names = &no_name, o.declare_values = &one; }) == NICOL_ERROR_ARGUMENT);
+  CHECK(load([&](auto& o) { o.clock = nan; }) == NICOL_ERROR_ARGUMENT);
+  CHECK(load([&](auto& o) { o.initial_frame = 9, o.final_frame = 3; }) == NICOL_ERROR_ARGUMENT);
   CHECK(load([&](auto& o) { o.wavelength_count = 2, o.wavelengths_nm = twice; }) == NICOL_ERROR_ARGUMENT);
   CHECK(scene == nullptr);
   REQUIRE(nicol_render(with.scene, nullptr, &picture) == NICOL_OK);
