@@ -44,7 +44,7 @@ nicol_status fail_with_current_exception() noexcept {
     return fail(NICOL_ERROR_ARGUMENT, error.what());
   } catch (const plugins::PluginError& error) {
     return fail(NICOL_ERROR_PLUGIN, error.what());
-  } catch (const PluginError& error) {
+  } catch (const FragmentError& error) {
     return fail(NICOL_ERROR_PLUGIN, error.what());
   } catch (const DeviceError& error) {
     return fail(NICOL_ERROR_DEVICE, error.what());

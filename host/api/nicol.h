@@ -252,7 +252,7 @@ typedef struct nicol_render_options {
 } nicol_render_options;
 
 /* Renders on the device of the scene's context, with the same bits as `nicol render`. options: may be NULL. NICOL_CANCELLED: a callback said
-   stop; *picture is there as far as it got, unless that was before anything was rendered: then NULL. NICOL_ERROR_CALLBACK: likewise.
+   stop; *picture is there as far as it got, unless that was before a whole row was done, or in a part: then NULL. NICOL_ERROR_CALLBACK: likewise.
    NICOL_ERROR_SCENE: the scene has errors. Where the scene asks for an error to be kept, wavelengths may be added, for which the scene
    is read once more (include files that a callback gave are remembered). */
 NICOL_API nicol_status nicol_render(const nicol_scene* scene, const nicol_render_options* options, nicol_picture** picture);

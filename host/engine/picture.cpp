@@ -125,7 +125,7 @@ class Making {
       options_.tile = [this](const Frame& frame, const std::int32_t* pixels, std::size_t count) { tell_tile(frame, pixels, count); };
     try {
       picture_.frame = render(device, packed_, lambda_nm_, weight_nm_, options_, picture_.report);
-    } catch (const PluginError&) {
+    } catch (const FragmentError&) {
       throw;
     } catch (const DeviceError& error) {
       throw RenderFailure(error.what());

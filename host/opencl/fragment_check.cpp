@@ -70,7 +70,7 @@ class Check {
 
  private:
   [[noreturn]] void refuse(const std::string& what) const {
-    throw PluginError(fmt::format("{}: plugin '{}' {}", use_.place, fragment_.name, what));
+    throw FragmentError(fmt::format("{}: plugin '{}' {}", use_.place, fragment_.name, what));
   }
 
   FragmentProbe build() const {
@@ -298,7 +298,7 @@ std::string check_fragments(Device& device, const SceneFragments& fragments, con
       const std::lock_guard<std::mutex> held(lock);
       found[identity] = told;
     } catch (const cl::Error& error) {
-      throw PluginError(fmt::format("{}: plugin '{}': {}", use.place, use.fragment->name, error_message(error, device.about.name)));
+      throw FragmentError(fmt::format("{}: plugin '{}': {}", use.place, use.fragment->name, error_message(error, device.about.name)));
     }
   }
   return warnings;

@@ -21,11 +21,11 @@
 namespace nicol {
 
 // The plugin, its place, and what is wrong with numbers or compiler messages (file:line: ...).
-struct PluginError : DeviceError {
+struct FragmentError : DeviceError {
   using DeviceError::DeviceError;
 };
 
-// Throws PluginError; returns warnings, one a line. What was found of a fragment with these values at these wavelengths on this device is
+// Throws FragmentError; returns warnings, one a line. What was found of a fragment with these values at these wavelengths on this device is
 // remembered within the process.
 std::string check_fragments(Device& device, const SceneFragments& fragments, const KernelOptions& options);
 

@@ -122,7 +122,7 @@ std::string kernels_hash();
 
 // Builds (or loads) the kernel that this scene needs, without rendering. Pictures with kernels that are here go on meanwhile on
 // other threads; who wants the same kernel waits for it, and it is built once. Keeping its binary waits for the picture in work.
-// Fragments of plugins are checked before (PluginError).
+// Fragments of plugins are checked before (FragmentError).
 BuildReport prepare_kernel(Device& device, const KernelContents& contents, const KernelOptions& options);
 
 enum class KernelReadiness {

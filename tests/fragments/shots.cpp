@@ -38,7 +38,7 @@ Frame shoot(const std::string& text, bool real_double, const std::string& wavele
 std::string refusal(const std::string& text, bool real_double) {
   try {
     shoot(text, real_double);
-  } catch (const PluginError& error) {
+  } catch (const FragmentError& error) {
     return error.what();
   }
   return "";

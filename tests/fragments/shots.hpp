@@ -15,11 +15,11 @@ struct Read {
 };
 Read read(const std::string& text, const std::string& wavelengths = "450,589,650", int size = 8);
 
-// Its picture. Throws what does not load, and PluginError.
+// Its picture. Throws what does not load, and FragmentError.
 Frame shoot(const std::string& text, bool real_double = true, const std::string& wavelengths = "450,589,650", int size = 8,
             int lanes = 0);
 
-// The message of the PluginError that this scene ends with; "" if there is none.
+// The message of the FragmentError that this scene ends with; "" if there is none.
 std::string refusal(const std::string& text, bool real_double = false);
 
 // Largest difference of any Stokes component over the largest S0.
