@@ -98,7 +98,7 @@ std::optional<int> serve_as_builder(int argc, const char* const* argv) {
     options.real_double = std::string(argv[5]) == "double";
     options.generic = std::string(argv[6]) == "generic";
     const auto device = open_device(argv[2]);
-    keep(*device, *build_kernel(*device, static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10)), all_of_standard_input(), options));
+    keep(build_kernel(*device, static_cast<std::uint32_t>(std::strtoul(argv[3], nullptr, 10)), all_of_standard_input(), options));
     return built;
   } catch (const std::exception&) {
     return failed;   // who asked builds it too, and tells why that fails

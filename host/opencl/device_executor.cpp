@@ -9,8 +9,6 @@
 namespace nicol {
 namespace {
 
-// PoCL compiles another version of the kernel for grids of 64k and more.
-constexpr std::int64_t max_work_groups = 60000;
 constexpr std::int64_t max_out_bytes = 64 << 20;
 
 std::vector<double> points_of(const RenderOptions& options) {
@@ -42,7 +40,7 @@ auto DeviceExecutor::told(Work work) const {
 
 DeviceExecutor::DeviceExecutor(Device& device, const PackedScene& scene, const RenderOptions& options,
                                std::shared_ptr<const Kernel> kernel, int lanes)
-    : device_(device), kernel_(std::move(kernel)), save_later_(options.kernel.save_later), one_at_a_time_(device.wait_for_turn()),
+    : device_(device), kernel_(std::move(kernel)), save_later_(options.kernel.save_later), turn_(std::in_place, device),
       scene_(scene), layout_(item_layout(scene, lanes)),
       scalar_bytes_(options.kernel.real_double ? sizeof(double) : sizeof(float)) {
   told([&] {
@@ -57,7 +55,8 @@ DeviceExecutor::DeviceExecutor(Device& device, const PackedScene& scene, const R
 DeviceExecutor::~DeviceExecutor() {
   if (in_flight() > 0) drop();
   try {
-    if (!save_later_) keep(device_, *kernel_);
+    turn_.reset();
+    if (!save_later_) keep(kernel_);
   } catch (const cl::Error&) {
     return;   // not to be kept is no failure: the next start builds again
   }
@@ -101,8 +100,6 @@ void DeviceExecutor::launch(int index, const Tile& tile) {
   cl::CommandQueue& queue = device_.queues[index];
   cl::Kernel& kernel = kernel_->kernel;
   const std::int64_t items = tile.unit_count * layout_.items_per_unit();
-  const int local_size = kernel_->local_size;
-  const auto padded = static_cast<std::size_t>((items + local_size - 1) / local_size * local_size);
   *slot.counted = {};
   queue.enqueueWriteBuffer(slot.counters, CL_FALSE, 0, sizeof(Counters), slot.counted->data());
   cl_uint arg = 0;
@@ -112,7 +109,7 @@ void DeviceExecutor::launch(int index, const Tile& tile) {
                               static_cast<std::int64_t>(begin_ + tile.sample_begin),
                               static_cast<std::int64_t>(begin_ + tile.sample_end)})
     kernel.setArg(arg++, static_cast<cl_int>(number));
-  queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(padded), cl::NDRange(local_size));
+  enqueue(queue, kernel, kernel_->local_size, items);
   queue.enqueueReadBuffer(slot.counters, CL_FALSE, 0, sizeof(Counters), slot.counted->data());
   slot.mapped = queue.enqueueMapBuffer(slot.out, CL_FALSE, CL_MAP_READ, 0, bytes_of(tile.unit_count), nullptr, &slot.done);
   queue.flush();

@@ -47,7 +47,7 @@ class DeviceExecutor : public TileExecutor {
   Device& device_;
   const std::shared_ptr<const Kernel> kernel_;
   const bool save_later_;
-  std::unique_lock<std::mutex> one_at_a_time_;
+  std::optional<Turn> turn_;
   const PackedScene& scene_;
   ItemLayout layout_;   // of the pass
   const std::size_t scalar_bytes_;

@@ -29,25 +29,18 @@ FragmentProbe::FragmentProbe(Device& device, std::shared_ptr<const Fragment> fra
   request.lanes = static_cast<int>(lanes_);
   request.real_double = real_double_;
   request.binary_cache = options.binary_cache;
-  request.warm_up = [this](cl::CommandQueue& queue, cl::Kernel& kernel, int local_size) {
-    const cl::Buffer empty(device_.context, CL_MEM_READ_WRITE, 4096);
-    launch(queue, kernel, local_size, empty, empty, empty, 0, 0);
-  };
+  request.set_no_work = [this](cl::Kernel& kernel, const cl::Buffer& empty) { set_arguments(kernel, empty, empty, empty, 0, 0); };
   kernel_ = get_kernel(device_, request);
 }
 
-void FragmentProbe::launch(cl::CommandQueue& queue, cl::Kernel& kernel, int local_size, const cl::Buffer& in, const cl::Buffer& out,
-                           const cl::Buffer& parameters, std::size_t items, int from_inside) const {
+void FragmentProbe::set_arguments(cl::Kernel& kernel, const cl::Buffer& in, const cl::Buffer& out, const cl::Buffer& parameters,
+                                  std::size_t items, int from_inside) const {
   kernel.setArg(0, in);
   kernel.setArg(1, out);
   kernel.setArg(2, parameters);
   kernel.setArg(3, static_cast<cl_int>(items));
   kernel.setArg(4, cl_int{fragment_->kind == Fragment::Kind::surface});
   kernel.setArg(5, cl_int{from_inside});
-  const std::size_t local = static_cast<std::size_t>(local_size);
-  const std::size_t groups = std::max<std::size_t>(1, (items + local - 1) / local);
-  queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(groups * local), cl::NDRange(local));
-  queue.finish();
 }
 
 std::vector<std::complex<double>> FragmentProbe::ask(const std::vector<double>& problems, std::size_t values, std::size_t answers,
@@ -56,13 +49,14 @@ std::vector<std::complex<double>> FragmentProbe::ask(const std::vector<double>& 
   std::vector<double> in(values * row);   // [value][problem], the last problem again in lanes that are left
   for (std::size_t v = 0; v < values; ++v)
     for (std::size_t i = 0; i < row; ++i) in[v * row + i] = problems[std::min(i, count - 1) * values + v];
-  const auto one_at_a_time = device_.wait_for_turn();
-  keep(device_, *kernel_);
+  keep(kernel_);
+  const Turn one_at_a_time(device_);
   const cl::Buffer in_buffer = scalar_buffer(device_.context, in, real_double_);
   const cl::Buffer parameter_buffer = scalar_buffer(device_.context, parameters_, real_double_);
   const std::size_t size = 2 * answers * row;
   const cl::Buffer out(device_.context, CL_MEM_WRITE_ONLY, size * (real_double_ ? sizeof(double) : sizeof(float)));
-  launch(device_.queues[0], kernel_->kernel, kernel_->local_size, in_buffer, out, parameter_buffer, items, from_inside);
+  set_arguments(kernel_->kernel, in_buffer, out, parameter_buffer, items, from_inside);
+  enqueue(device_.queues[0], kernel_->kernel, kernel_->local_size, static_cast<std::int64_t>(items));
   const std::vector<double> numbers =
       real_double_ ? read_back<double>(device_.queues[0], out, size) : read_back<float>(device_.queues[0], out, size);
   std::vector<std::complex<double>> result;

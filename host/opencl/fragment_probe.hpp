@@ -20,8 +20,8 @@ class FragmentProbe {
   static constexpr std::size_t element_values = 5, element_answers = 8, surface_values = 6, surface_answers = 4;
 
  private:
-  void launch(cl::CommandQueue& queue, cl::Kernel& kernel, int local_size, const cl::Buffer& in, const cl::Buffer& out,
-              const cl::Buffer& parameters, std::size_t items, int from_inside) const;
+  void set_arguments(cl::Kernel& kernel, const cl::Buffer& in, const cl::Buffer& out, const cl::Buffer& parameters, std::size_t items,
+                     int from_inside) const;
 
   Device& device_;
   const std::shared_ptr<const Fragment> fragment_;

@@ -13,15 +13,10 @@
 namespace nicol {
 namespace {
 
-void launch(cl::CommandQueue& queue, cl::Kernel& kernel, int local_size, const cl::Buffer& problems,
-            const cl::Buffer& answers, std::size_t count) {
+void set_arguments(cl::Kernel& kernel, const cl::Buffer& problems, const cl::Buffer& answers, std::size_t count) {
   kernel.setArg(0, problems);
   kernel.setArg(1, answers);
   kernel.setArg(2, static_cast<cl_int>(count));
-  const std::size_t local = static_cast<std::size_t>(local_size);
-  const std::size_t groups = std::max<std::size_t>(1, (count + local - 1) / local);
-  queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(groups * local), cl::NDRange(local));
-  queue.finish();
 }
 
 std::shared_ptr<const Kernel> probe_kernel(Device& device, bool real_double) {
@@ -29,10 +24,7 @@ std::shared_ptr<const Kernel> probe_kernel(Device& device, bool real_double) {
   request.file = "probe.cl";
   request.name = "probe";
   request.real_double = real_double;
-  request.warm_up = [&device](cl::CommandQueue& queue, cl::Kernel& kernel, int local_size) {
-    const cl::Buffer empty(device.context, CL_MEM_READ_WRITE, 4096);
-    launch(queue, kernel, local_size, empty, empty, 0);
-  };
+  request.set_no_work = [](cl::Kernel& kernel, const cl::Buffer& empty) { set_arguments(kernel, empty, empty, 0); };
   return get_kernel(device, request);
 }
 
@@ -44,13 +36,14 @@ std::vector<double> read_back(cl::CommandQueue& queue, const cl::Buffer& buffer,
 }
 
 // ANSWER_SCALARS per problem.
-std::vector<double> solve(Device& device, const Kernel& built, const std::vector<double>& problems, bool real_double) {
-  const auto one_at_a_time = device.wait_for_turn();
-  keep(device, built);
-  const std::size_t values = problems.size() / PROBE_SCALARS * ANSWER_SCALARS;
+std::vector<double> solve(Device& device, const std::shared_ptr<const Kernel>& built, const std::vector<double>& problems, bool real_double) {
+  keep(built);
+  const Turn one_at_a_time(device);
+  const std::size_t count = problems.size() / PROBE_SCALARS, values = count * ANSWER_SCALARS;
   const cl::Buffer in = scalar_buffer(device.context, problems, real_double);
   const cl::Buffer out(device.context, CL_MEM_WRITE_ONLY, values * (real_double ? sizeof(double) : sizeof(float)));
-  launch(device.queues[0], built.kernel, built.local_size, in, out, problems.size() / PROBE_SCALARS);
+  set_arguments(built->kernel, in, out, count);
+  enqueue(device.queues[0], built->kernel, built->local_size, static_cast<std::int64_t>(count));
   return real_double ? read_back<double>(device.queues[0], out, values)
                      : read_back<float>(device.queues[0], out, values);
 }
@@ -62,7 +55,7 @@ std::string probe(Device& device, const std::string& text, bool real_double) {
     return answer_document(text, device.about.name, real_double ? "double" : "float",
                            [&](const std::vector<double>& problems) {
                              const auto kernel = probe_kernel(device, real_double);
-                             return solve(device, *kernel, problems, real_double);
+                             return solve(device, kernel, problems, real_double);
                            });
   } catch (const cl::Error& error) {
     throw DeviceError(error_message(error, device.about.name));

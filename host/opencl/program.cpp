@@ -51,7 +51,10 @@ cl::Program build_source(Device& device, const std::string& source, const std::s
 void launch_first(Device& device, const KernelRequest& request, Kernel& made) {
   cl::CommandQueue queue(device.context, device.device);
   const std::lock_guard<std::mutex> one_at_a_time(device.compiling);
-  request.warm_up(queue, made.kernel, made.local_size);
+  const cl::Buffer empty(device.context, CL_MEM_READ_WRITE, 4096);
+  request.set_no_work(made.kernel, empty);
+  enqueue(queue, made.kernel, made.local_size, max_work_groups * made.local_size);
+  queue.finish();
 }
 
 // True if the binary was taken: built, and launched once.
@@ -133,10 +136,24 @@ std::shared_ptr<const Kernel> kernel_at(Device& device, const KernelPlace& place
 
 }  // namespace
 
-void keep(Device& device, const Kernel& kernel) {
-  if (!kernel.unsaved.exchange(false)) return;
-  const std::lock_guard<std::mutex> one_at_a_time(device.compiling);
-  kernel.save();
+void keep(const std::shared_ptr<const Kernel>& kernel) {
+  static std::mutex lock;   // comes before Launching's
+  static std::vector<std::shared_ptr<const Kernel>> to_save;
+  const std::lock_guard<std::mutex> one_at_a_time(lock);
+  if (kernel->unsaved) to_save.push_back(kernel);
+  if (to_save.empty()) return;
+  Launching::if_none([] {
+    const std::lock_guard<std::mutex> no_first_launch(Device::compiling);
+    for (const auto& each : to_save)
+      if (each->unsaved.exchange(false)) each->save();
+    to_save.clear();
+  });
+}
+
+void enqueue(cl::CommandQueue& queue, const cl::Kernel& kernel, int local_size, std::int64_t items) {
+  const auto local = static_cast<std::size_t>(local_size);
+  const auto groups = (static_cast<std::size_t>(items) + local - 1) / local;
+  queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(groups * local), cl::NDRange(local));
 }
 
 int local_size_on(const DeviceInfo& device) { return device.is_cpu ? 1 : 64; }

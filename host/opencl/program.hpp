@@ -1,6 +1,7 @@
 // From kernel text to a kernel that is ready to launch: built once a process, kept on disk between them.
 #pragma once
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -10,6 +11,12 @@
 #include "host/opencl/render.hpp"
 
 namespace nicol {
+
+// The widest grid of a launch, in work-groups. PoCL compiles another version of a kernel for grids of 64k and more.
+// Every kernel's first launch, which has no work, is this wide: PoCL up to 6.0 looks for loaded code that was asked for by a
+// grid at least as wide, but gives back whichever of that work-group size comes first, so that its counts go wrong, and
+// an assertion ends the process, where a launch is wider than all before it while others of the kernel run.
+constexpr std::int64_t max_work_groups = 60000;
 
 struct Kernel {
   cl::Program program;
@@ -27,14 +34,17 @@ struct KernelRequest {
   bool real_double = false;
   std::string defines;            // further -D options
   bool binary_cache = true;
-  // Launches the kernel once on no work, with its fixed local size: PoCL compiles at the first launch, and a binary
-  // holds only what was launched before it was saved.
-  std::function<void(cl::CommandQueue&, cl::Kernel&, int local_size)> warm_up;
+  // Gives the kernel arguments that mean no work, with `empty` for each buffer, for its first launch: PoCL compiles then, and
+  // a binary holds only what was launched before it was saved.
+  std::function<void(cl::Kernel&, const cl::Buffer& empty)> set_no_work;
   std::function<bool()> build_elsewhere;   // puts it into the binary cache, from where it is loaded; false: it has not. May be empty
 };
 
 // 1 on a CPU: PoCL keeps the private memory of a whole work-group on one thread's stack. 64 elsewhere.
 int local_size_on(const DeviceInfo& device);
+
+// Puts a launch of `items` work-items, filled up to whole work-groups, into the queue.
+void enqueue(cl::CommandQueue& queue, const cl::Kernel& kernel, int local_size, std::int64_t items);
 
 // Throws DeviceError; a build failure carries the log, which names kernel file and line, and the next call tries again.
 // For several threads: one builds a kernel, others that want the same one wait; other kernels are not held up.
@@ -53,8 +63,9 @@ KernelReadiness readiness_of(Device& device, const KernelRequest& request);
 // All that are built.
 std::vector<std::shared_ptr<const Kernel>> kernels_here(Device& device);
 
-// Saves a kernel's binary if that is still to be done. PoCL compiles once more to give it and must not be running any
-// kernel meanwhile (its table of loaded code is not guarded): the callers hold device.launches, their work finished.
-void keep(Device& device, const Kernel& kernel);
+// Saves a kernel's binary if that is still to be done. PoCL compiles once more to give it and must not be running that
+// kernel meanwhile, on any of its devices (its counts of loaded code go wrong): with launches in the process, the next call
+// without any does it. Callers hold no Turn.
+void keep(const std::shared_ptr<const Kernel>& kernel);
 
 }  // namespace nicol

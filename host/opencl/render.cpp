@@ -18,13 +18,9 @@
 namespace nicol {
 namespace {
 
-// No work: compiles what the first launch would compile.
-void warm_up_trace(Device& device, cl::CommandQueue& queue, cl::Kernel& kernel, int local_size) {
-  const cl::Buffer empty(device.context, CL_MEM_READ_WRITE, 4096);
+void set_no_work(cl::Kernel& kernel, const cl::Buffer& empty) {
   for (cl_uint i = 0; i < 7; ++i) kernel.setArg(i, empty);
   for (cl_uint i = 7; i < 12; ++i) kernel.setArg(i, cl_int{0});
-  queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(local_size), cl::NDRange(local_size));
-  queue.finish();
 }
 
 KernelRequest trace_request(Device& device, std::uint32_t features, const std::string& fragments, const KernelOptions& options) {
@@ -36,9 +32,7 @@ KernelRequest trace_request(Device& device, std::uint32_t features, const std::s
   request.real_double = options.real_double;
   if (!options.generic) request.defines = fmt::format(" -D SCENE_FEATURES={}", features);
   request.binary_cache = options.binary_cache;
-  request.warm_up = [&device](cl::CommandQueue& queue, cl::Kernel& kernel, int local_size) {
-    warm_up_trace(device, queue, kernel, local_size);
-  };
+  request.set_no_work = set_no_work;
   if (options.own_process)
     request.build_elsewhere = [&device, features, fragments, options] {
       return build_in_own_process(device, features, fragments, options);
@@ -149,10 +143,7 @@ std::shared_ptr<const Kernel> trace_kernel(Device& device, const KernelContents&
 
 BuildReport prepare_kernel(Device& device, const KernelContents& contents, const KernelOptions& options) {
   const auto kernel = trace_kernel(device, contents, options);
-  if (!options.save_later && kernel->unsaved) {
-    const auto no_picture = device.wait_for_turn();
-    keep(device, *kernel);
-  }
+  if (!options.save_later) keep(kernel);
   BuildReport report = kernel->report;
   const std::string warnings = contents.fragments ? check_fragments(device, *contents.fragments, options) : "";
   if (!warnings.empty()) report.note += (report.note.empty() ? "" : "\n") + warnings.substr(0, warnings.size() - 1);
@@ -164,8 +155,7 @@ KernelReadiness kernel_readiness(Device& device, const KernelContents& contents,
 }
 
 void save_kernels(Device& device) {
-  const auto no_picture = device.wait_for_turn();
-  for (const auto& kernel : kernels_here(device)) keep(device, *kernel);
+  for (const auto& kernel : kernels_here(device)) keep(kernel);
 }
 
 }  // namespace nicol

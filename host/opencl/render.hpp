@@ -136,7 +136,8 @@ KernelReadiness kernel_readiness(Device& device, const KernelContents& contents,
 // code; else there is none.
 std::optional<int> serve_as_builder(int argc, const char* const* argv);
 
-// Keeps the binaries of all kernels built with save_later. Waits for the picture in work; no other begins meanwhile (seconds each).
+// Keeps the binaries of all kernels built with save_later; no picture begins meanwhile (seconds each). While pictures are in work on
+// any device: nothing, call it again.
 void save_kernels(Device& device);
 
 }  // namespace nicol

@@ -1,9 +1,11 @@
 // A kernel in place of the tracer: same entry point, answers that a test can work out.
 #pragma once
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "host/opencl/cache_folder.hpp"
 #include "host/opencl/render.hpp"
 
 namespace nicol {
@@ -30,6 +32,18 @@ class Environment {
  private:
   std::string name_, before_;
   bool had_ = false;
+};
+
+// A cache that holds nothing yet.
+class OwnCache {
+ public:
+  OwnCache() : folder_(cache_folder() + "/side"), environment_("XDG_CACHE_HOME", folder_) {}
+  OwnCache(const OwnCache&) = delete;
+  ~OwnCache() { std::filesystem::remove_all(folder_); }
+
+ private:
+  std::string folder_;
+  Environment environment_;
 };
 
 // Component c of pixel p, wavelength w at sample (x, y): table[w] * (p + 1) + c + 0.1 x + 0.01 y.

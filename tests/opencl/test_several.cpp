@@ -1,8 +1,10 @@
 // One render over several devices: the bits of one, whoever fails on the way.
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 
 #include "host/opencl/cache_folder.hpp"
 #include "host/opencl/device_impl.hpp"
@@ -121,6 +123,28 @@ TEST_CASE("two devices give the bits and counts of one, and both work") {
       CHECK(both.device == "2 x " + info(*two.first).name);
       CHECK(both.notes.empty());
     }
+}
+
+// PoCL up to 6.0 counts the users of loaded code wrongly, and dies of it, where a launch is wider than any before, or a binary is
+// saved, while others of the same kernel run (host/opencl/program.hpp).
+TEST_CASE("pictures that grow and kernels that are saved on several devices at once do not upset the driver") {
+  const KernelFolder kernels;
+  const OwnCache cache;
+  std::atomic<int> right{0};
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([i, &right] {
+      const auto device = open_device("0");
+      for (int side = 1; side < 40; ++side) {
+        PackedScene scene = stand_in_scene(8 * side, 1 + i, 8, 8, false);
+        scene.reals = {1000};
+        RenderReport report;
+        render(*device, scene, wavelengths(8), std::vector<double>(8, 10.0), options_of({}), report);
+        right += report.nan_count == 1 && report.segments == 8 * static_cast<std::uint64_t>(8 * side * (1 + i));
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  CHECK(right == 4 * 39);
 }
 
 TEST_CASE("a device that fails in the middle is told, and the others finish its tiles") {

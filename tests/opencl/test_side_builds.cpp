@@ -15,18 +15,6 @@ using namespace nicol;
 
 namespace {
 
-// A cache that holds nothing yet.
-class OwnCache {
- public:
-  OwnCache() : folder_(cache_folder() + "/side"), environment_("XDG_CACHE_HOME", folder_) {}
-  OwnCache(const OwnCache&) = delete;
-  ~OwnCache() { std::filesystem::remove_all(folder_); }
-
- private:
-  std::string folder_;
-  Environment environment_;
-};
-
 KernelOptions generic() {
   KernelOptions options;
   options.generic = options.save_later = true;
