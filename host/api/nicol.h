@@ -17,7 +17,7 @@
               nothing is printed.
    Threads    Scenes and pictures do not change once they are handed out: any number of threads may read them. A context may be used by
               several threads. Its renderings take turns; reading scenes does not wait for them. Distinct contexts do not wait for each
-              other.
+              other, except where kernels are compiled and saved.
    Callbacks  run on the thread that made the call, before it returns, so several threads that share a context may be in the same
               callback at once. A callback may call anything but nicol_render, nicol_scene_load_*, nicol_merge and
               nicol_load_plugin, which are refused with NICOL_ERROR_ARGUMENT there. Where one answers an int, 0 means go on and anything else stop. A C++ exception that leaves

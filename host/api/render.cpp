@@ -144,10 +144,9 @@ class Rendering {
 
   void finish(nicol_picture& made) {
     engine::Picture& picture = made.picture;
+    if (options_.error_bound && !picture.report.interrupted) made.bound = engine::error_bound(picture);
     if (picture.journal && !picture.report.interrupted) picture.journal->remove();
     picture.journal.reset();   // who goes on from it needs it, whatever becomes of this picture
-    if (picture.report.interrupted) return;
-    if (options_.error_bound) made.bound = engine::error_bound(picture);
   }
 
   const nicol_scene& scene_;

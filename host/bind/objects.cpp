@@ -154,6 +154,15 @@ void add_face_lights(Context& context, const Chain* chain, const ConvexShape& sh
   }
 }
 
+// A later surface takes the place of an earlier one; that it hides the earlier one wholly is seldom meant.
+void put_surface(Context& context, const sdl::Block& block, FaceSurface surface, Object& object) {
+  for (const FaceSurface& before : object.face_surfaces)
+    if (surface.face < 0 || surface.face == before.face)
+      context.warning(block.where, surface.face < 0 ? "This surface is worn by all faces: those before it are not seen"
+                                                    : "Two surfaces for the same face: the last one is worn");
+  object.face_surfaces.push_back(surface);
+}
+
 // Surfaces of plugins; `shape`: null if single faces cannot be named.
 void add_surfaces(Context& context, const Chain* chain, const ConvexShape* shape, Object& object) {
   for (const sdl::Block* block : nearest(chain, &RawObject::surfaces)) {
@@ -161,13 +170,13 @@ void add_surfaces(Context& context, const Chain* chain, const ConvexShape* shape
     const auto use = bind_surface(context, *block, raw);
     if (!use) continue;
     if (!raw.face) {
-      object.face_surfaces.push_back({-1, *use});
+      put_surface(context, *block, {-1, *use}, object);
     } else if (!shape) {
       context.error(block->where,
                     "'face' names a face of a convex solid; this surface is worn by all faces "
                     "or none");
     } else if (const auto face = nearest_face(*shape, *raw.face)) {
-      object.face_surfaces.push_back({*face, *use});
+      put_surface(context, *block, {*face, *use}, object);
     } else {
       context.error(block->where,
                     "'face' is as near to two faces, or to none: name one by its outward normal");

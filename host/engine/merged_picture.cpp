@@ -17,13 +17,17 @@ std::string missing_shares(const std::vector<PartNote>& parts) {
   for (const PartNote& part : parts) {
     int i = 0, of = 0;
     char after = 0;
-    if (std::sscanf(part.name.c_str(), "share %d/%d%c", &i, &of, &after) != 2 || (n != 0 && of != n)) return "";
+    if (std::sscanf(part.name.c_str(), "share %7d/%7d%c", &i, &of, &after) != 2 || (n != 0 && of != n)) return "";
+    if (i < 1 || i > of) return "";
     n = of;
     there.insert(i);
   }
+  constexpr int most_named = 20;
+  const int missing = n - static_cast<int>(there.size());
   std::string text;
-  for (int i = 1; i <= n; ++i)
-    if (there.count(i) == 0) text += fmt::format("{}{}/{}", text.empty() ? "" : ", ", i, n);
+  for (int i = 1, named = 0; i <= n && named < most_named; ++i)
+    if (there.count(i) == 0) text += fmt::format("{}{}/{}", named++ == 0 ? "" : ", ", i, n);
+  if (missing > most_named) text += fmt::format(" and {} more", missing - most_named);
   return text.empty() ? "" : " (part " + text + ")";
 }
 

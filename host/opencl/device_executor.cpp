@@ -53,11 +53,11 @@ DeviceExecutor::DeviceExecutor(Device& device, const PackedScene& scene, const R
 }
 
 DeviceExecutor::~DeviceExecutor() {
-  if (in_flight() > 0) drop();
   try {
+    if (in_flight() > 0) drop();
     turn_.reset();
     if (!save_later_) keep(kernel_);
-  } catch (const cl::Error&) {
+  } catch (const std::exception&) {
     return;   // not to be kept is no failure: the next start builds again
   }
 }

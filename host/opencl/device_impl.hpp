@@ -54,7 +54,7 @@ class Device {
   // Kernels keep their arguments: one picture at a time. To be taken by a Turn.
   std::mutex launches, next_in_line;
 
-  // First launches, in which PoCL compiles, and the saving of binaries take turns; comes after `launches` and Launching's.
+  // First launches, in which PoCL compiles, and the saving of binaries take turns; comes after `launches`, before Launching's.
   static inline std::mutex compiling;   // one for all devices: PoCL keeps one table of loaded code
 
   // Kernels of this process by identity (see program.cpp), so that a second picture builds nothing. Held for look-ups only.

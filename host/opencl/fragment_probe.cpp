@@ -45,6 +45,19 @@ void FragmentProbe::set_arguments(cl::Kernel& kernel, const cl::Buffer& in, cons
 
 std::vector<std::complex<double>> FragmentProbe::ask(const std::vector<double>& problems, std::size_t values, std::size_t answers,
                                                      int from_inside) {
+  const std::size_t launch = lanes_ * static_cast<std::size_t>(max_work_groups * kernel_->local_size) * values;
+  std::vector<std::complex<double>> result;
+  result.reserve(problems.size() / values * answers);
+  for (std::size_t first = 0; first < problems.size(); first += launch) {
+    const auto from = problems.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto to = from + static_cast<std::ptrdiff_t>(std::min(launch, problems.size() - first));
+    ask_at_once({from, to}, values, answers, from_inside, result);
+  }
+  return result;
+}
+
+void FragmentProbe::ask_at_once(const std::vector<double>& problems, std::size_t values, std::size_t answers, int from_inside,
+                                std::vector<std::complex<double>>& result) {
   const std::size_t count = problems.size() / values, items = (count + lanes_ - 1) / lanes_, row = items * lanes_;
   std::vector<double> in(values * row);   // [value][problem], the last problem again in lanes that are left
   for (std::size_t v = 0; v < values; ++v)
@@ -59,11 +72,8 @@ std::vector<std::complex<double>> FragmentProbe::ask(const std::vector<double>& 
   enqueue(device_.queues[0], kernel_->kernel, kernel_->local_size, static_cast<std::int64_t>(items));
   const std::vector<double> numbers =
       real_double_ ? read_back<double>(device_.queues[0], out, size) : read_back<float>(device_.queues[0], out, size);
-  std::vector<std::complex<double>> result;
-  result.reserve(count * answers);
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t a = 0; a < answers; ++a) result.emplace_back(numbers[2 * a * row + i], numbers[(2 * a + 1) * row + i]);
-  return result;
 }
 
 }  // namespace nicol

@@ -22,6 +22,9 @@ class FragmentProbe {
  private:
   void set_arguments(cl::Kernel& kernel, const cl::Buffer& in, const cl::Buffer& out, const cl::Buffer& parameters, std::size_t items,
                      int from_inside) const;
+  // One launch; its answers go to the end of `result`.
+  void ask_at_once(const std::vector<double>& problems, std::size_t values, std::size_t answers, int from_inside,
+                   std::vector<std::complex<double>>& result);
 
   Device& device_;
   const std::shared_ptr<const Fragment> fragment_;

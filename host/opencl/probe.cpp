@@ -52,11 +52,17 @@ std::vector<double> solve(Device& device, const std::shared_ptr<const Kernel>& b
 
 std::string probe(Device& device, const std::string& text, bool real_double) {
   try {
-    return answer_document(text, device.about.name, real_double ? "double" : "float",
-                           [&](const std::vector<double>& problems) {
-                             const auto kernel = probe_kernel(device, real_double);
-                             return solve(device, kernel, problems, real_double);
-                           });
+    return answer_document(text, device.about.name, real_double ? "double" : "float", [&](const std::vector<double>& problems) {
+      const auto kernel = probe_kernel(device, real_double);
+      const std::size_t launch = static_cast<std::size_t>(max_work_groups * kernel->local_size) * PROBE_SCALARS;
+      std::vector<double> answers;
+      for (std::size_t first = 0; first < problems.size(); first += launch) {
+        const auto from = problems.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto some = solve(device, kernel, {from, from + static_cast<std::ptrdiff_t>(std::min(launch, problems.size() - first))}, real_double);
+        answers.insert(answers.end(), some.begin(), some.end());
+      }
+      return answers;
+    });
   } catch (const cl::Error& error) {
     throw DeviceError(error_message(error, device.about.name));
   }

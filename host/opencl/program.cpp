@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "host/opencl/binary_cache.hpp"
 #include "host/opencl/cache_folder.hpp"
@@ -76,7 +78,7 @@ void save_program(const cl::Program& program, const std::string& folder, const s
   try {
     const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
     if (!binaries.empty()) save_binary(folder, identity, binaries.front());
-  } catch (const cl::Error&) {
+  } catch (const std::exception&) {
     return;
   }
 }
@@ -137,17 +139,28 @@ std::shared_ptr<const Kernel> kernel_at(Device& device, const KernelPlace& place
 }  // namespace
 
 void keep(const std::shared_ptr<const Kernel>& kernel) {
-  static std::mutex lock;   // comes before Launching's
-  static std::vector<std::shared_ptr<const Kernel>> to_save;
-  const std::lock_guard<std::mutex> one_at_a_time(lock);
-  if (kernel->unsaved) to_save.push_back(kernel);
-  if (to_save.empty()) return;
-  Launching::if_none([] {
-    const std::lock_guard<std::mutex> no_first_launch(Device::compiling);
-    for (const auto& each : to_save)
-      if (each->unsaved.exchange(false)) each->save();
-    to_save.clear();
-  });
+  using Kernels = std::vector<std::shared_ptr<const Kernel>>;
+  static std::mutex lock;   // of to_save, for a moment each
+  static Kernels& to_save = *new Kernels;   // at the end of the process OpenCL may be gone
+  const auto waiting = [&] {
+    const std::lock_guard<std::mutex> held(lock);
+    return std::exchange(to_save, {});
+  };
+  if (kernel->unsaved) {
+    const std::lock_guard<std::mutex> held(lock);
+    if (std::find(to_save.begin(), to_save.end(), kernel) == to_save.end()) to_save.push_back(kernel);
+  }
+  for (bool saved = true; saved;) {   // again for those that came meanwhile
+    saved = false;
+    const std::unique_lock<std::mutex> no_first_launch(Device::compiling, std::try_to_lock);
+    if (!no_first_launch) return;
+    Launching::if_none([&] {
+      for (const auto& each : waiting()) {
+        if (each->unsaved.exchange(false)) each->save();
+        saved = true;
+      }
+    });
+  }
 }
 
 void enqueue(cl::CommandQueue& queue, const cl::Kernel& kernel, int local_size, std::int64_t items) {

@@ -43,7 +43,7 @@ struct KernelRequest {
 // 1 on a CPU: PoCL keeps the private memory of a whole work-group on one thread's stack. 64 elsewhere.
 int local_size_on(const DeviceInfo& device);
 
-// Puts a launch of `items` work-items, filled up to whole work-groups, into the queue.
+// Puts a launch of `items` work-items, filled up to whole work-groups (max_work_groups at most), into the queue.
 void enqueue(cl::CommandQueue& queue, const cl::Kernel& kernel, int local_size, std::int64_t items);
 
 // Throws DeviceError; a build failure carries the log, which names kernel file and line, and the next call tries again.
@@ -64,8 +64,8 @@ KernelReadiness readiness_of(Device& device, const KernelRequest& request);
 std::vector<std::shared_ptr<const Kernel>> kernels_here(Device& device);
 
 // Saves a kernel's binary if that is still to be done. PoCL compiles once more to give it and must not be running that
-// kernel meanwhile, on any of its devices (its counts of loaded code go wrong): with launches in the process, the next call
-// without any does it. Callers hold no Turn.
+// kernel meanwhile, on any of its devices (its counts of loaded code go wrong): with launches or compilations in the process,
+// the next call without any does it, so that nobody waits. Callers hold no Turn.
 void keep(const std::shared_ptr<const Kernel>& kernel);
 
 }  // namespace nicol

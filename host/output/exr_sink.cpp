@@ -10,15 +10,14 @@
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
-#include <ImfThreading.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <thread>
 
 #include "host/output/atomic_file.hpp"
+#include "host/output/exr_threads.hpp"
 #include "host/output/sinks.hpp"
 
 namespace nicol {
@@ -111,10 +110,8 @@ class ExrSink : public FrameSink {
 
  private:
   void write_pixels(const Layout& layout, int height, AtomicFile& file) const {
-    const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    if (Imf::globalThreadCount() < threads) Imf::setGlobalThreadCount(threads);
     ExrStream stream(file, path_);
-    Imf::OutputFile output(stream, layout.header(), threads);
+    Imf::OutputFile output(stream, layout.header(), exr_threads());
     output.setFrameBuffer(layout.pixels());
     output.writePixels(height);
   }

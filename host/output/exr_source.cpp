@@ -6,14 +6,13 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfStringAttribute.h>
-#include <ImfThreading.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <thread>
 
+#include "host/output/exr_threads.hpp"
 #include "host/output/frame.hpp"
 
 namespace nicol {
@@ -28,16 +27,10 @@ void check_readable(const std::string& path) {
   if (!std::ifstream(path, std::ios::binary)) cannot_read(path, errno ? std::strerror(errno) : "it cannot be opened");
 }
 
-int thread_count() {
-  const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  if (Imf::globalThreadCount() < threads) Imf::setGlobalThreadCount(threads);
-  return threads;
-}
-
 }  // namespace
 
 struct ExrSource::File {
-  explicit File(const std::string& path) : input(path.c_str(), thread_count()) {}
+  explicit File(const std::string& path) : input(path.c_str(), exr_threads()) {}
   Imf::InputFile input;
 };
 

@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <map>
+#include <new>
 
 namespace nicol::plugins {
 
@@ -16,6 +17,9 @@ std::map<const nicol_host_v1*, HostCall*>& live_calls() {
   static auto* calls = new std::map<const nicol_host_v1*, HostCall*>;
   return *calls;
 }
+
+// Of nicol's own, whose functions a plugin called; bad_alloc would be the plugin's.
+struct OutOfMemory {};
 
 constexpr std::size_t most_text = 64u << 20;
 constexpr std::size_t most_items = 1'000'000;
@@ -46,6 +50,9 @@ struct HostFunctions {
     if (!call) return NICOL_PLUGIN_REFUSED;
     try {
       return body(*call) ? NICOL_PLUGIN_OK : NICOL_PLUGIN_REFUSED;
+    } catch (const std::bad_alloc&) {
+      call->out_of_memory_ = true;
+      return NICOL_PLUGIN_REFUSED;
     } catch (const std::exception&) {
       return NICOL_PLUGIN_REFUSED;
     }
@@ -66,11 +73,13 @@ struct HostFunctions {
 
   static const char* find_file(const nicol_host_v1* host, const char* name) {
     HostCall* call = find(host, Purpose::solid, "find_file");
+    const char* path = nullptr;
     guarded(call, [&](HostCall& c) {
-      c.found_file_ = name && c.find_file ? c.find_file(name) : "";
+      std::string found = name && c.find_file ? c.find_file(name) : "";
+      if (!found.empty()) path = c.found_files_.emplace_back(std::move(found)).c_str();
       return true;
     });
-    return call && !call->found_file_.empty() ? call->found_file_.c_str() : nullptr;
+    return path;
   }
 
   static int add_plane(const nicol_host_v1* host, const double normal[3], double offset) {
@@ -143,12 +152,15 @@ void HostCall::run(SharedObject& shared, bool thread_safe, const std::string& wh
   std::string thrown;
   try {
     const int status = call(&host_);
+    if (out_of_memory_) throw OutOfMemory();
     if (!misuse_.empty()) throw PluginError(prefix + misuse_);
     if (status == NICOL_PLUGIN_OK) return;
     if (!message_.empty()) throw PluginError(prefix + "failed: " + message_);
     throw PluginError(prefix + "failed with status " + std::to_string(status) + " and no message");
   } catch (const PluginError&) {
     throw;
+  } catch (const OutOfMemory&) {
+    throw std::bad_alloc();
   } catch (const abi::__forced_unwind&) {
     throw;
   } catch (const std::exception& error) {

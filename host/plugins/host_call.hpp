@@ -1,5 +1,6 @@
 // One call into a plugin: the nicol_host_v1 it is given, what it may do there, and what it has said.
 #pragma once
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -38,14 +39,16 @@ class HostCall {
   FindFile find_file;
   std::string text;                          // importer
 
-  // Runs `call` and throws PluginError for what it returns or throws. what: "solid 'stone'".
+  // Runs `call` and throws PluginError for what it returns or throws, std::bad_alloc where nicol lacks memory. what: "solid 'stone'".
   void run(SharedObject& shared, bool thread_safe, const std::string& what, const std::function<int(const nicol_host_v1*)>& call);
 
  private:
   friend struct HostFunctions;
   nicol_host_v1 host_{};
   Purpose purpose_;
-  std::string message_, misuse_, found_file_;
+  std::string message_, misuse_;
+  std::deque<std::string> found_files_;   // what was handed out stays until the call ends
+  bool out_of_memory_ = false;            // in one of the functions: told whatever the plugin makes of its refusal
 };
 
 // What is registered, checked and wrapped; `call.wrong` says what is amiss. (register.cpp)

@@ -76,6 +76,9 @@ const Library& load_library(const std::string& path) {
       at->second.library = loaded(canonical);
     } catch (const PluginError& error) {
       at->second.failure = error.what();
+    } catch (...) {   // for lack of memory: not the file's fault
+      known.erase(at);
+      throw;
     }
   }
   if (!at->second.library) throw PluginError(at->second.failure);

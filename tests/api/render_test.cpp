@@ -21,7 +21,7 @@ struct Folder {
     path = name;
   }
   ~Folder() { fs::remove_all(path); }
-  std::string operator/(const char* name) const { return (path / name).string(); }
+  std::string operator/(const std::string& name) const { return (path / name).string(); }
   fs::path path;
 };
 
@@ -235,18 +235,25 @@ TEST_CASE("two threads, two scenes, one context") {
   dim.declares = {{"Sky", 0.125}};
   const nicol::Scene scenes[] = {cube_scene(context()), nicol::Scene::load_text(context(), "cube.pov", cube, dim)};
   const nicol::Picture alone[] = {scenes[0].render(), scenes[1].render()};
+  const Folder folder;
   bool right[2] = {true, true};
   std::vector<std::thread> threads;
   for (int i = 0; i < 2; ++i)
     threads.emplace_back([&, i] {
       for (int turn = 0; turn < 3; ++turn) {
         const nicol::Scene again = nicol::Scene::load_text(context(), "cube.pov", cube, i == 0 ? sized(40, 30) : dim);
-        right[i] = right[i] && same(again.render().stokes(), alone[i].stokes()) && same(scenes[i].render().xyz(), alone[i].xyz());
+        const nicol::Picture made = again.render();
+        made.write(folder / (std::to_string(i) + ".exr"));
+        right[i] = right[i] && same(made.stokes(), alone[i].stokes()) && same(scenes[i].render().xyz(), alone[i].xyz());
       }
     });
   for (std::thread& thread : threads) thread.join();
-  CHECK(right[0]);
-  CHECK(right[1]);
+  for (int i = 0; i < 2; ++i) {
+    CHECK(right[i]);
+    const std::string written = folder / "alone.exr";
+    alone[i].write(written);
+    CHECK(run(std::string(COMPARE_EXR) + " " + written + " " + (folder / (std::to_string(i) + ".exr"))) == 0);
+  }
 }
 
 TEST_CASE("a picture outlives its scene and its context") {

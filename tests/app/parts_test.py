@@ -5,14 +5,11 @@ parts_test.py NICOL COMPARE_EXR
 """
 
 import re
-import signal
-import subprocess
 import sys
-import time
 import unittest
 from pathlib import Path
 
-from runs import PATIENCE_S, Runs
+from runs import Runs
 
 if __name__ == "__main__":
     Runs.compare_path, Runs.nicol_path = sys.argv.pop(2), sys.argv.pop(1)
@@ -117,29 +114,13 @@ class Parts(Runs):
         self.render(CUBE, "a.png", "+SR0.5", "+EC20")
         self.assertEqual(self.files(), ["a.png"])
 
-    def killed_once_kept(self, size, *arguments):
-        """The exit code of a rendering of a.exr that is killed when its tiles take `size` bytes; 0 if it finished before."""
-        process = subprocess.Popen([self.nicol_path, "render", *map(str, arguments), "-o", "a.exr"], cwd=self.folder,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        kept, deadline = self.folder / "a.exr.part", time.monotonic() + PATIENCE_S
-        while process.poll() is None and time.monotonic() < deadline and not (kept.exists() and kept.stat().st_size > size):
-            time.sleep(0.01)
-        process.send_signal(signal.SIGKILL)
-        process.communicate()
-        return process.returncode
-
     def test_a_killed_part_goes_on_to_the_same_bits(self):
         half = [CUBE, "-W", 1024, "-H", 1024, "--part", "1/2", "--keep-after", 0, "--samples"]
         trial = self.done("render", *half, 4, "-o", "a.exr")
         seconds = float(re.search(r"^([\d.]+) s, ", trial, re.MULTILINE)[1])
-        samples = int(4 * RENDER_S / max(seconds, 0.005))
-        while True:  # a trial beside other work makes the machine look slower than it is
-            long = [*half, samples]
-            code = self.killed_once_kept(10_000_000, *long)
-            if code != 0 or samples > 8192:
-                break
-            samples *= 4
-        self.assertEqual(code, -signal.SIGKILL, "it finished before it could be killed")
+        samples = self.killed_in_work(lambda n: self.start(*half, n, "-o", "a.exr"), int(4 * RENDER_S / max(seconds, 0.005)),
+                                      self.folder / "a.exr.part", 10_000_000)
+        long = [*half, samples]
         told = self.done("render", *long, "-o", "a.exr", "--continue")
         self.assertNotIn(" 0 tiles were there", told)
         self.done("render", *long, "-o", "whole.exr")

@@ -1,7 +1,9 @@
 """Runs of nicol in a folder of their own, for the tests of the command line."""
 
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -38,6 +40,27 @@ class Runs(unittest.TestCase):
         """The same channels with the same bits."""
         result = subprocess.run([self.compare_path, one, two], cwd=self.folder, capture_output=True, text=True, check=False)
         self.assertEqual(result.returncode, 0, f"{one} and {two}: {result.stdout}")
+
+    def start(self, *arguments, **more):
+        """A render begun; its messages are to be read from stderr."""
+        return subprocess.Popen([self.nicol_path, "render", *map(str, arguments)], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                stderr=subprocess.PIPE, text=True, **more)
+
+    def killed_in_work(self, start, effort, kept, size):
+        """start(effort) begins a render that is killed once the file `kept` holds `size` bytes. Returns the effort it was killed at: one that
+        finishes before (a trial beside other work makes a machine look slower than it is) is begun again with four times as much."""
+        for _ in range(6):
+            process = start(effort)
+            deadline = time.monotonic() + PATIENCE_S
+            while process.poll() is None and time.monotonic() < deadline and not (kept.exists() and kept.stat().st_size > size):
+                time.sleep(0.01)
+            process.send_signal(signal.SIGKILL)
+            process.communicate()
+            if process.returncode == -signal.SIGKILL:
+                return effort
+            effort *= 4
+        self.fail("it finished before it could be killed")
+        return 0
 
     def files(self):
         return sorted(path.name for path in self.folder.iterdir())

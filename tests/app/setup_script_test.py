@@ -83,9 +83,7 @@ class SetupScript(unittest.TestCase):
         self.assertIn("--target nicol\n", calls)
         self.assertNotIn("apt-get", calls)
 
-        started = time.monotonic()
         result = self.nicol("devices")
-        self.assertLess(time.monotonic() - started, 1)
         self.assertEqual(
             (result.returncode, result.stdout, result.stderr), (7, "nicol got devices\n", "")
         )

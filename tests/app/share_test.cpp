@@ -2,12 +2,16 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "host/app/animation.hpp"
 #include "host/app/film.hpp"
-#include "host/engine/picture_share.hpp"
 #include "host/app/povray_switches.hpp"
+#include "host/engine/merged_picture.hpp"
+#include "host/engine/picture_share.hpp"
 #include "host/opencl/gather.hpp"
+#include "host/output/part.hpp"
+#include "host/output/sinks.hpp"
 
 using namespace nicol;
 using namespace nicol::app;
@@ -124,4 +128,40 @@ TEST_CASE("ffmpeg gets the frames by pattern, first number and count, in one arg
   CHECK(command.back() == "out.mp4");
   CHECK_THROWS_AS(check_film("out.mp4", {"a.exr"}), UsageError);
   CHECK_THROWS_AS(check_film("/no/such/folder/out.mp4", {"a.png"}), UsageError);
+}
+
+TEST_CASE("of many shares that are missing some are named, and a share that makes no sense is none") {
+  const std::string path = std::filesystem::temp_directory_path() / "nicol_share_test.exr";
+  const auto missing = [&](const std::string& name) {
+    Frame picture;
+    picture.width = 2;
+    picture.height = 1;
+    picture.lambda_nm = {500};
+    picture.weight_nm = {1};
+    picture.stokes.assign(8, 1.0f);
+    picture.cut_off.assign(2, 0.0f);
+    picture.row_done = {1};
+    const std::vector<float> wanted{1, 0};
+    Frame frame = cut_out(picture, {0, 1}, wanted, 2, 1, 0, 1);
+    PartNote part;
+    part.whole.width = 2;
+    part.whole.height = 1;
+    part.whole.lambda_nm = {500};
+    part.whole.weight_nm = {1};
+    part.name = name;
+    part.counted = {0, 0, 0, 0, 0};
+    part.checksum = make_part(frame, wanted);
+    for (auto& note : notes_of_part(part)) frame.how.push_back(std::move(note));
+    make_exr_sink(path)->write(frame);
+    const std::string told = engine::merge_parts({path}, false, "test").missing;
+    std::filesystem::remove(path);
+    return told;
+  };
+  CHECK(missing("share 2/3").find("(part 1/3, 3/3)") != std::string::npos);
+  CHECK(missing("share 1/1000").find("20/1000, 21/1000 and 979 more)") != std::string::npos);
+  for (const char* wrong : {"share 1/2000000000", "share 99999999999999999999/2", "share 3/2", "share -1/2"}) {
+    const std::string told = missing(wrong);
+    CHECK(!told.empty());
+    CHECK(told.find("(part") == std::string::npos);
+  }
 }

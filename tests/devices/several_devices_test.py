@@ -6,15 +6,13 @@ several_devices_test.py NICOL COMPARE_EXR
 
 import os
 import re
-import signal
 import subprocess
 import sys
-import time
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "app"))
-from runs import PATIENCE_S, Runs  # noqa: E402
+from runs import Runs  # noqa: E402
 
 SCENE = Path(__file__).resolve().parent.parent / "app" / "cube.pov"
 SMALL = ["-W", "96", "-H", "64", "--no-budget"]
@@ -40,16 +38,9 @@ class SeveralDevices(Runs):
     def test_killed_with_two_continued_with_one(self):
         trial = self.rendered("trial.exr", *SMALL, "--samples", 64)
         seconds = float(re.search(r"^([\d.]+) s, ", trial, re.MULTILINE)[1])
-        options = [*SMALL, "--samples", str(int(64 * 7 / max(seconds, 0.005)))]
-        process = subprocess.Popen([self.nicol_path, "render", str(SCENE), *options, "--device", "all", "-o", "a.exr"], cwd=self.folder,
-                                   env=TWO, stderr=subprocess.DEVNULL)
-        part = self.folder / "a.exr.part"
-        deadline = time.monotonic() + PATIENCE_S
-        while process.poll() is None and not (part.exists() and part.stat().st_size > 50000) and time.monotonic() < deadline:
-            time.sleep(0.02)
-        process.send_signal(signal.SIGKILL)
-        process.wait()
-        self.assertEqual(process.returncode, -signal.SIGKILL, "it ended before it could be killed")
+        samples = self.killed_in_work(lambda n: self.start(SCENE, *SMALL, "--samples", n, "--device", "all", "-o", "a.exr", env=TWO),
+                                      int(64 * 7 / max(seconds, 0.005)), self.folder / "a.exr.part", 50000)
+        options = [*SMALL, "--samples", samples]
         told = self.rendered("a.exr", *options, "--continue")
         self.assertGreater(int(re.search(r"(\d+) tiles were there", told)[1]), 0)
         self.rendered("alone.exr", *options, "--device", "all")

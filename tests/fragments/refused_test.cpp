@@ -54,6 +54,21 @@ TEST_CASE("what is said to be lossless is held to it") {
   CHECK(refusal(box("\"dim\" factor 1")) == "");
 }
 
+TEST_CASE("rounding at grazing incidence is no warning") {
+  for (const char* film : {"n 1.38 thickness_nm 99.6", "n 2.35 thickness_nm 400", "n 1.45 thickness_nm 25"})
+    for (const char* glass : {"1.33", "1.52", "2.42"}) {
+      const Read scene = read(front + "box { -1, 1 interior { ior " + glass + " } surface { plugin { \"thin_film\" " + film + " } } }");
+      REQUIRE(scene.loaded);
+      CAPTURE(film);
+      CAPTURE(glass);
+      for (const bool real_double : {false, true}) {
+        KernelOptions options;
+        options.real_double = real_double;
+        CHECK(check_fragments(*open_device(""), *scene.loaded->features.fragments, options) == "");
+      }
+    }
+}
+
 TEST_CASE("reciprocity: a rotator like quartz passes, one like Faraday's only where its manifest says so") {
   CHECK(refusal(sheet("\"rotator\" faraday 0")) == "");
   const std::string told = refusal(sheet("\"rotator\" faraday 1"));

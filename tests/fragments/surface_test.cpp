@@ -50,6 +50,15 @@ TEST_CASE("one face among bare ones, and the last surface counts") {
   CHECK(apart(box, film + "face -z } surface { plugin { \"bare_face\" } face y }", true) > 1e-3);
 }
 
+TEST_CASE("a surface that hides another is told") {
+  const auto told = [](const std::string& surfaces) { return read(front + "box { -1, 1 interior { Glass } " + surfaces + " }").errors; };
+  const std::string on_front = "surface { plugin { \"bare_face\" } face -z }", on_top = "surface { plugin { \"bare_face\" } face y }";
+  CHECK(told(bare + on_front + on_top) == "");
+  CHECK(told(on_front + bare).find("worn by all faces: those before it are not seen") != std::string::npos);
+  CHECK(told(bare + bare).find("worn by all faces: those before it are not seen") != std::string::npos);
+  CHECK(told(on_front + on_front).find("Two surfaces for the same face: the last one is worn") != std::string::npos);
+}
+
 TEST_CASE("solids that are not convex wear it all over") {
   CHECK(apart("difference { box { -1, 1 } box { <0, 0, -2>, <2, 2, 2> } interior { Glass } % }", bare, true) < 1e-12);
   CHECK(apart("prism { 0, 1, 4, <0,0>, <1,0>, <0,1>, <0,0> interior { Glass } % }", bare, true) < 1e-12);

@@ -93,6 +93,26 @@ TEST_CASE("a picture does not wait for a build, a build does not wait for a pict
   CHECK(same_bits(meanwhile, alone));
 }
 
+TEST_CASE("a kernel is not saved while another is compiled, and holds up nobody; it is saved later") {
+  const KernelFolder kernels;
+  const OwnCache cache;
+  const auto device = open_device("0");
+  const Frame alone = picture(*device);
+  prepare_kernel(*device, 3, specialised());
+  KernelOptions at_once = specialised();
+  at_once.save_later = false;
+  const auto fresh = open_device("0");
+  {
+    const std::lock_guard<std::mutex> build_stands_still(Device::compiling);
+    std::thread([&] { prepare_kernel(*device, 3, at_once); }).join();
+    CHECK(kernel_readiness(*fresh, 3, specialised()) == KernelReadiness::missing);
+    CHECK(same_bits(picture(*device), alone));
+  }
+  prepare_kernel(*device, 4, at_once);
+  CHECK(kernel_readiness(*fresh, 3, specialised()) == KernelReadiness::on_disk);
+  CHECK(kernel_readiness(*fresh, 4, specialised()) == KernelReadiness::on_disk);
+}
+
 TEST_CASE("pictures rendered during builds and savings have the bits of one rendered alone") {
   const KernelFolder kernels;
   const OwnCache cache;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <initializer_list>
+#include <string>
 
 namespace {
 
@@ -47,6 +48,19 @@ int ell(void*, const nicol_host_v1* host, const nicol_values_v1*) {
     const std::int32_t next = (i + 1) % 6, side[4] = {next, i, 6 + i, 6 + next};
     host->add_face(host, side, 4);
   }
+  return NICOL_PLUGIN_OK;
+}
+
+// A tetrahedron, if each of two files is still called by its own name once both are found.
+int filed(void*, const nicol_host_v1* host, const nicol_values_v1* values) {
+  const char* paths[2] = {host->find_file(host, values->texts[0]), host->find_file(host, values->texts[1])};
+  for (int i = 0; i < 2; ++i)
+    if (!paths[i] || std::string(paths[i]).find(values->texts[i]) == std::string::npos) {
+      host->set_message(host, "a file has lost its name");
+      return NICOL_PLUGIN_ERROR;
+    }
+  const double normals[4][3] = {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {1, 1, 1}};
+  for (int i = 0; i < 4; ++i) host->add_plane(host, normals[i], i < 3 ? 0 : 1);
   return NICOL_PLUGIN_OK;
 }
 
@@ -103,11 +117,18 @@ int nicol_plugin_v1(const nicol_host_v1* host) {
   other.struct_size = sizeof other;
   other.name = "ell";
   other.make = ell;
+  nicol_parameter_v1 names[] = {number("first", "", 0), number("second", "", 0)};
+  for (nicol_parameter_v1& name : names) {
+    name.kind = NICOL_PARAMETER_TEXT;
+    name.has_default = 0;
+  }
+  auto of_files = entry<nicol_solid_v1>("filed", names);
+  of_files.make = filed;
   nicol_sink_v1 sink{};
   sink.struct_size = sizeof sink;
   sink.name = "numbers";
   sink.suffix = ".txt";
   sink.write = write_text;
   return host->add_spectrum(host, &spectrum) | host->add_dispersion(host, &dispersion) | host->add_solid(host, &solid) |
-         host->add_solid(host, &other) | host->add_sink(host, &sink);
+         host->add_solid(host, &other) | host->add_solid(host, &of_files) | host->add_sink(host, &sink);
 }

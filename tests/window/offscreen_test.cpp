@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 #include <epoxy/gl.h>
 
-#include <chrono>
 #include <cmath>
 #include <thread>
 
@@ -91,13 +90,11 @@ TEST_CASE("places that touch in the window touch in the framebuffer, at any scal
 
 TEST_CASE("waiting ends by a wake from another thread, and one before the wait is not lost") {
   const auto surface = open_offscreen(8, 8);
-  const auto begun = std::chrono::steady_clock::now();
   surface->wake();
-  surface->wait(20.0);
+  surface->wait(std::nullopt);   // where a wake is lost, for ever: the test's limit ends it
   std::thread other([&] { surface->wake(); });
-  surface->wait(20.0);
+  surface->wait(std::nullopt);
   other.join();
-  CHECK(std::chrono::steady_clock::now() - begun < std::chrono::seconds(10));
   surface->wait(0.01);
   CHECK_FALSE(surface->has_events());
 }
