@@ -58,7 +58,8 @@ std::string probe(Device& device, const std::string& text, bool real_double) {
       std::vector<double> answers;
       for (std::size_t first = 0; first < problems.size(); first += launch) {
         const auto from = problems.begin() + static_cast<std::ptrdiff_t>(first);
-        const auto some = solve(device, kernel, {from, from + static_cast<std::ptrdiff_t>(std::min(launch, problems.size() - first))}, real_double);
+        const auto to = from + static_cast<std::ptrdiff_t>(std::min(launch, problems.size() - first));
+        const auto some = solve(device, kernel, {from, to}, real_double);
         answers.insert(answers.end(), some.begin(), some.end());
       }
       return answers;
