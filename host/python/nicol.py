@@ -13,7 +13,9 @@ scene's own unit) in the receiver's frame, x to the right and y up, light runnin
 
 Arrays lie on memory of the picture or scene, without a copy. They are read-only and keep it alive. Where something fails, an Error says
 why; a scene with errors raises SceneError with all its diagnostics. Callbacks run on the calling thread; an exception in one stops
-the call and comes out of it, and so does Ctrl-C. Other threads run on while nicol works.
+the call and comes out of it. Ctrl-C stops a rendering between two tiles; a scene that is being read is read to its end first. Other
+threads run on while nicol works. A process that is forked once nicol has rendered or looked for devices cannot render (DeviceError):
+OpenCL does not survive a fork. With multiprocessing, take the method "spawn".
 
 libnicol is looked for where NICOL_LIBRARY says, beside this module, in the prefix that it is installed in, then as the system finds
 libraries. Only numpy is needed beyond Python 3.9.
@@ -96,7 +98,7 @@ STRUCTS = [_DeviceInfo, _ContextOptions, _SceneOptions, _Diagnostic, _Feature, _
 
 _SEVERITIES = ("note", "warning", "error")
 _PRECISIONS = ("float", "double")
-_SWITCHES = {None: 0, True: 1, False: 2}
+_SWITCHES = (None, True, False)
 _PLANES = ("coverage", "samples", "cut_off", "sample_error", "error_cut_off", "error_sampling", "error_rounding", "error_total")
 
 # Those that do not answer a status; what each takes.
@@ -235,6 +237,7 @@ class _Outcome:
         if self.raised is not None or not self.status:
             return self.raised
         words = self.words or _lib.nicol_status_text(self.status).decode()
+        words = words.replace("want_error_", "error_").replace("no_cache", "cache")  # as Python calls them
         error = MemoryError(words) if self.status == _NO_MEMORY else _ERRORS.get(self.status, Error)(words)
         error.status = self.status
         return error
@@ -288,6 +291,9 @@ class _Handle:
     def __init__(self, pointer, release, *keeps):
         self.pointer, self._release, self._keeps = pointer, release, keeps
 
+    def __reduce__(self):
+        raise TypeError("scenes, pictures and contexts stay in their process: a scene's text can go to another, a picture as a file")
+
     def __del__(self):
         self._release(self.pointer)
 
@@ -319,6 +325,12 @@ class _Owner:
     def close(self):
         """Lets go of it; arrays that were handed out stay valid."""
         self._handle = None
+
+    def __deepcopy__(self, _):
+        """Another that may be closed by itself; what stands behind both does not change."""
+        made = type(self).__new__(type(self))
+        made._handle = self._handle
+        return made
 
     def __enter__(self):
         return self
@@ -366,7 +378,25 @@ def _name(text):
 def _texts(texts):
     if isinstance(texts, (str, bytes, os.PathLike)):
         raise TypeError(f"a list of texts is wanted, not {texts!r} alone")
-    return (c_char_p * len(texts))(*map(_name, texts))
+    names = [_name(text) for text in texts]
+    return (c_char_p * len(names))(*names)
+
+
+def _one_of(name, value, choices):
+    """The place of a value among those that it may have."""
+    for place, choice in enumerate(choices):
+        if type(value) is type(choice) and value == choice:
+            return place
+    raise ValueError(f"{name} is one of {', '.join(map(repr, choices))}, not {value!r}")
+
+
+def _pair(name, value, meaning):
+    """The two of a pair; zeros for None."""
+    if value is None:
+        return 0, 0
+    if isinstance(value, (str, bytes)) or not hasattr(value, "__len__") or len(value) != 2:
+        raise ValueError(f"{name} is a pair {meaning}, not {value!r}")
+    return value
 
 
 def _content(text):
@@ -463,7 +493,7 @@ class Context(_Owner):
             _SceneOptions, width=width, height=height, library_path_count=len(paths), library_paths=paths, declare_count=len(declares),
             declare_names=_texts(declares), declare_values=_doubles(declares.values()), wavelength_count=len(lambda_nm),
             wavelengths_nm=lambda_nm, samples=samples, max_trace_level=max_trace_level, error=error, sample_error=sample_error,
-            adc_bailout=adc_bailout, polarization=_SWITCHES[polarization], **animation)
+            adc_bailout=adc_bailout, polarization=_one_of("polarization", polarization, _SWITCHES), **animation)
         if include is not None:
             options.include = _callback(_IncludeCallback, lambda name, place: _include(include, name, place))
         pointer = c_void_p()
@@ -554,12 +584,12 @@ class Scene(_Owner):
         journal: file that keeps finished tiles, resume: go on from it.   lanes: vector width, 0 as the device has it.
         generic: the kernel that serves all scenes.   cache=False: kernels are built anew.
         """
-        first_row, row_count = _span(rows)
-        first_column, column_count = _span(columns)
-        first_nm, last_nm = (0, 0) if wavelengths_nm is None else wavelengths_nm
-        number, count = part or (0, 0)
+        first_row, row_count = _span("rows", rows)
+        first_column, column_count = _span("columns", columns)
+        first_nm, last_nm = _pair("wavelengths_nm", wavelengths_nm, "(first, last)")
+        number, count = _pair("part", part, "(i, n)")
         options = _sized(
-            _RenderOptions, precision=_PRECISIONS.index(precision), lanes=lanes, generic=int(generic), no_cache=int(not cache),
+            _RenderOptions, precision=_one_of("precision", precision, _PRECISIONS), lanes=lanes, generic=int(generic), no_cache=int(not cache),
             resume=int(resume), journal=None if journal is None else _name(journal), want_error_bound=int(error_bound),
             want_error_budget=int(error_budget), part=number, part_count=count, first_row=first_row, row_count=row_count,
             first_column=first_column, column_count=column_count, first_wavelength_nm=first_nm, last_wavelength_nm=last_nm)
@@ -595,12 +625,12 @@ def _going_on(function):
     return call
 
 
-def _span(first_and_stop):
+def _span(name, first_and_stop):
     if first_and_stop is None:
         return 0, 0
-    first, stop = first_and_stop
+    first, stop = _pair(name, first_and_stop, "(first, stop)")
     if not 0 <= first < stop:
-        raise ValueError(f"(first, stop) from 0, with a row or column at least, not {first_and_stop}")
+        raise ValueError(f"{name}: (first, stop) from 0, with one of them at least, not {first_and_stop}")
     return first, stop - first
 
 

@@ -4,7 +4,9 @@
 calls_test.py; NICOL_LIBRARY and PYTHONPATH say where the library and nicol.py are.
 """
 
+import copy
 import os
+import pickle
 import signal
 import tempfile
 import threading
@@ -75,6 +77,38 @@ class Errors(unittest.TestCase):
         for call in (lambda: small(library_paths="/tmp"), lambda: small(7), lambda: small('#include "x.inc"', include=lambda name: 5),
                      lambda: nicol.merge("abc")):
             self.assertRaises(TypeError, call)
+
+    def test_errors_speak_python(self):
+        scene = small()
+        picture = scene.render()
+        for call, words in ((lambda: scene.render(precision="half"), "precision is one of 'float', 'double', not 'half'"),
+                            (lambda: small(polarization="off"), "polarization is one of None, True, False, not 'off'"),
+                            (lambda: scene.render(part="1/3"), r"part is a pair \(i, n\), not '1/3'"),
+                            (lambda: scene.render(rows=4), r"rows is a pair \(first, stop\), not 4"),
+                            (lambda: scene.render(wavelengths_nm=(450,)), r"wavelengths_nm is a pair \(first, last\)")):
+            self.assertRaisesRegex(ValueError, words, call)
+        with self.assertRaisesRegex(nicol.UnavailableError, r"not rendered with error_bound\b"):
+            picture.plane("error_total")
+
+    def test_copies(self):
+        """Copies are closed by themselves; nothing goes into a pickle."""
+        scene = small()
+        picture = scene.render()
+        for thing in (scene, picture):
+            for made in (copy.copy(thing), copy.deepcopy([thing])[0]):
+                made.close()
+            self.assertEqual((thing.width, thing.height), (24, 18))
+            other = copy.deepcopy(thing)
+            thing.close()
+            self.assertEqual(other.width, 24)
+            self.assertRaisesRegex(TypeError, "stay in their process", pickle.dumps, other)
+
+    def test_merge_takes_what_can_be_walked(self):
+        with tempfile.TemporaryDirectory() as folder:
+            paths = [os.path.join(folder, f"{i}.exr") for i in (1, 2)]
+            for i, path in enumerate(paths):
+                small().render(part=(i + 1, 2)).write(path)
+            np.testing.assert_array_equal(nicol.merge(path for path in paths).stokes, small().render().stokes)
 
     def test_devices(self):
         found = nicol.devices()
