@@ -1,6 +1,6 @@
 #include "host/fragments/manifest.hpp"
 
-#include "host/fragments/recursion.hpp"
+#include "host/fragments/source_text.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -56,6 +56,8 @@ class Reader {
     Fragment& f = *fragment;
     f.name = string_at(root_, "name", true);
     if (!is_identifier(f.name)) fail("name", "'" + f.name + "' is no name of a function: letters, digits, _");
+    const std::string stem = file_.substr(file_.rfind('/') + 1, file_.size() - file_.rfind('/') - 1 - std::string(".json").size());
+    if (f.name != stem) fail("name", "'name' is '" + f.name + "', but the manifest's file is '" + stem + ".json': the same name is expected");
     f.version = string_at(root_, "version", true);
     check_interface();
     f.meaning = string_at(root_, "meaning", true);
@@ -93,17 +95,29 @@ class Reader {
   }
   // At the first place where the key stands.
   [[noreturn]] void fail(const std::string& key, const std::string& message) const {
-    const std::size_t at = text_.find("\"" + key + "\"");
-    fail_at(at == std::string::npos ? 0 : at, message);
+    const std::size_t at = text_.find("\"" + key + "\"", from_);
+    fail_at(at == std::string::npos ? from_ : at, message);
+  }
+
+  // Where object `index` of the list behind the key begins.
+  std::size_t object_at(const std::string& key, std::size_t index) const {
+    int depth = 0;
+    for (std::size_t at = text_.find("\"" + key + "\"") + key.size() + 2; at < text_.size(); ++at) {
+      if (text_[at] == '"')
+        for (++at; at < text_.size() && text_[at] != '"'; ++at) at += text_[at] == '\\';
+      else if (text_[at] == '{' && depth++ == 0 && index-- == 0) return at;
+      else if (text_[at] == '}') --depth;
+    }
+    return 0;
   }
 
   void known(const json& object, const std::set<std::string>& keys, const std::string& of) const {
     for (const auto& [key, value] : object.items())
       if (keys.count(key) == 0) fail(key, "'" + key + "' is no key of " + of);
   }
-  std::string string_at(const json& object, const std::string& key, bool needed) const {
+  std::string string_at(const json& object, const std::string& key, bool needed, const std::string& of = "") const {
     if (!object.contains(key)) {
-      if (needed) fail_at(0, "'" + key + "' is missing");
+      if (needed) fail_at(from_, "'" + key + "' is missing" + of);
       return "";
     }
     if (!object.at(key).is_string()) fail(key, "'" + key + "' is a text");
@@ -144,21 +158,23 @@ class Reader {
     return object.at(key).get<double>();
   }
 
-  void read_parameters(std::vector<plugins::Parameter>& list) const {
+  void read_parameters(std::vector<plugins::Parameter>& list) {
     if (!root_.contains("parameters")) return;
     const json& parameters = root_.at("parameters");
     if (!parameters.is_array()) fail("parameters", "'parameters' is a list");
     if (parameters.size() > most_parameters) fail("parameters", "more than " + std::to_string(most_parameters) + " parameters");
     std::set<std::string> names;
-    for (const json& item : parameters) {
+    for (const json& item : parameters)
       if (!item.is_object()) fail("parameters", "a parameter is an object { }");
+    for (const json& item : parameters) {
+      from_ = object_at("parameters", list.size());
       known(item, {"name", "unit", "default", "min", "max", "meaning"}, "a parameter");
       plugins::Parameter p;
-      p.name = string_at(item, "name", true);
+      p.name = string_at(item, "name", true, " in a parameter");
       if (!is_identifier(p.name)) fail(p.name, "'" + p.name + "' is no name of a parameter: letters, digits, _");
       if (!names.insert(p.name).second) fail(p.name, "the parameter '" + p.name + "' stands here twice");
       p.unit = string_at(item, "unit", false);
-      p.meaning = string_at(item, "meaning", true);
+      p.meaning = string_at(item, "meaning", true, " in the parameter '" + p.name + "'");
       p.least = number_at(item, "min", p.least);
       p.most = number_at(item, "max", p.most);
       if (item.contains("default")) p.number = number_at(item, "default", 0);
@@ -166,6 +182,7 @@ class Reader {
         fail(p.name, "'min', 'default' and 'max' of '" + p.name + "' must ascend");
       list.push_back(std::move(p));
     }
+    from_ = 0;
   }
 
   void read_source(Fragment& f) const {
@@ -175,9 +192,6 @@ class Reader {
     if (!text) throw ManifestError(file_ + ": its OpenCL C '" + f.file + "' cannot be read");
     if (text->size() > most_bytes) throw ManifestError(f.file + ": too large for a fragment");
     f.text = *text;
-    if (const auto recursion = find_recursion(f.text))
-      throw ManifestError(f.file + ":" + std::to_string(recursion->line) + ": '" + recursion->function +
-                          "' calls itself: OpenCL C has no recursion");
     std::istringstream lines(f.text);
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
@@ -188,10 +202,23 @@ class Reader {
         throw ManifestError(f.file + ":" + std::to_string(number) +
                             ": a fragment includes nothing: kernels/fragment.h and what that includes is there");
     }
+    check_source(f);
+  }
+
+  void check_source(const Fragment& f) const {
+    const SourceText source = scan_source(f.text);
+    const auto told = [&](const NamedLine& at, const std::string& what) {
+      throw ManifestError(f.file + ":" + std::to_string(at.line) + ": '" + at.name + "' " + what);
+    };
+    if (source.words.count(f.name) == 0) fail("name", f.file + " has no function '" + f.name + "'");
+    if (const auto at = find_recursion(source)) told(*at, "calls itself: OpenCL C has no recursion");
+    if (const auto at = find_foreign_name(source, f.name))
+      told(*at, "must begin with '" + f.name + "', as all names that a fragment defines: other fragments of a scene have names, too");
   }
 
   std::string file_, text_;
   json root_;
+  std::size_t from_ = 0;   // where keys are looked for: the beginning of the parameter at hand
 };
 
 }  // namespace

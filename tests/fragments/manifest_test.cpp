@@ -60,7 +60,27 @@ TEST_CASE("faults with their places") {
   CHECK(begins(told(with(",\n\"parameters\": [{ \"name\": \"a\", \"meaning\": \"m\", \"min\": 2, \"max\": 1 }]")), "x.json:2:26: 'min', 'default' and 'max'"));
   CHECK(begins(told(with(",\n\"parameters\": [{ \"name\": \"a\", \"meaning\": \"m\", \"step\": 2 }]")), "x.json:2:47: 'step' is no key of a parameter"));
   CHECK(begins(told(with(",\n\"lossless\": 1")), "x.json:2:1: 'lossless' is true or false"));
+  CHECK(begins(told("{ \"version\": \"1\",\n \"name\": \"y\" }"), "x.json:2:2: 'name' is 'y', but the manifest's file is 'x.json'"));
   CHECK(begins(told(with(""), "\n#include \"portable.h\"\n"), "x.cl:2: a fragment includes nothing"));
+}
+
+TEST_CASE("faults of parameters stand at the parameter") {
+  const auto of_two = [](const std::string& second) {
+    return told(with(",\n\"parameters\": [\n{ \"name\": \"x\", \"meaning\": \"} \\\" {\" },\n { " + second + " }]"));
+  };
+  CHECK(of_two("\"name\": \"depth\"") == "x.json:4:2: 'meaning' is missing in the parameter 'depth'");
+  CHECK(of_two("\"meaning\": \"m\"") == "x.json:4:2: 'name' is missing in a parameter");
+  CHECK(of_two("\"name\": \"depth\", \"meaning\": 3") == "x.json:4:21: 'meaning' is a text");
+  CHECK(begins(of_two("\"name\": \"x\", \"meaning\": \"m\""), "x.json:4:12: the parameter 'x' stands here twice"));
+}
+
+TEST_CASE("OpenCL C that lacks the function, or has names that could be others'") {
+  const std::string other = "FUNCTION void x2(PRIVATE const ElementIn* in, GLOBAL const scalar* parameter, PRIVATE ElementOut* out) {}  // x\n";
+  const std::string missing = told(with(""), other);
+  CHECK(begins(missing, "x.json:1:3: "));
+  CHECK(missing.find("/x.cl has no function 'x'") != std::string::npos);
+  CHECK(begins(told(with(""), source + "FUNCTION real helper(real a) { return a; }\n"), "x.cl:2: 'helper' must begin with 'x'"));
+  CHECK(begins(told(with(""), source + "FUNCTION real x_f(real a) { return x_f(a); }\n"), "x.cl:2: 'x_f' calls itself"));
 }
 
 TEST_CASE("a surface is reciprocal and reflects anyway") {
