@@ -154,6 +154,7 @@ void HostCall::run(SharedObject& shared, bool thread_safe, const std::string& wh
     const int status = call(&host_);
     if (out_of_memory_) throw OutOfMemory();
     if (!misuse_.empty()) throw PluginError(prefix + misuse_);
+    if (!wrong.empty()) throw PluginError("plugin " + shared.path + ": registers " + wrong);
     if (status == NICOL_PLUGIN_OK) return;
     if (!message_.empty()) throw PluginError(prefix + "failed: " + message_);
     throw PluginError(prefix + "failed with status " + std::to_string(status) + " and no message");

@@ -33,7 +33,7 @@ class HostCall {
   // Where the calls of a purpose leave what they say.
   Library* library = nullptr;                // entry
   std::shared_ptr<SharedObject> object;      // entry
-  std::string wrong;                         // entry: the first thing that was registered wrongly
+  std::string wrong;                         // entry: the first thing that was registered wrongly; wins over the plugin's status
   ConvexShape convex;                        // solid
   MeshShape mesh;
   FindFile find_file;

@@ -49,7 +49,6 @@ std::unique_ptr<Library> loaded(const std::string& path) {
   call.library = library.get();
   call.object = shared;
   call.run(*shared, false, "nicol_plugin_v1", entry);
-  if (!call.wrong.empty()) cannot_load(path, "registers " + call.wrong);
   const bool nothing = library->dispersions.empty() && library->spectra.empty() && library->solids.empty() &&
                        library->importers.empty() && library->sinks.empty();
   if (nothing) cannot_load(path, "registers nothing");

@@ -51,14 +51,17 @@ int nicol_plugin_v1(const nicol_host_v1* host) {
 #ifdef BAD_NOTHING
   return NICOL_PLUGIN_OK;
 #endif
-  host->add_dispersion(host, &formula);
+  int status = host->add_dispersion(host, &formula);
 #ifdef BAD_TWICE
-  host->add_dispersion(host, &formula);
+  status = host->add_dispersion(host, &formula);
+#endif
+#ifdef BAD_SIZE
+  status = NICOL_PLUGIN_OK; /* as if it had not looked */
 #endif
 #ifdef BAD_ENTRY
   host->set_message(host, "no licence");
   return NICOL_PLUGIN_ERROR;
 #endif
-  return NICOL_PLUGIN_OK;
+  return status;
 }
 #endif
