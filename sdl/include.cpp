@@ -1,4 +1,4 @@
-// #include: a text handed in, else a file from the working directory, the library paths, and last the scene's own folder.
+// #include: a text handed in, else a file from the working directory, the library paths, or the scene's own folder.
 #include <filesystem>
 #include <fstream>
 #include <sstream>

@@ -47,6 +47,8 @@ void catch_interrupts() {
               SIG_IGN);  // a limit on file sizes shall be an error of writing, told like any other
 }
 
+const std::atomic<bool>& interrupt_flag() { return interrupted; }
+
 const std::atomic<bool>& finish_first() {
   something_to_save = true;
   return interrupted;

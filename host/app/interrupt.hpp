@@ -7,6 +7,7 @@
 namespace nicol::app {
 
 void catch_interrupts();
-const std::atomic<bool>& finish_first();
+const std::atomic<bool>& interrupt_flag();
+const std::atomic<bool>& finish_first();   // gives the flag, too
 
 }  // namespace nicol::app

@@ -1,7 +1,9 @@
 // Finds devices and picks one.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <mutex>
 
@@ -53,8 +55,12 @@ std::vector<cl::Platform> platforms() {
   return found;
 }
 
+std::atomic<pid_t> user{0};   // of OpenCL; 0: nobody yet
+
 // One thread at a time: drivers are loaded by the first call, and not all of them mind others meanwhile.
 std::vector<Found> find_devices() {
+  refuse_forked();
+  user = ::getpid();
   static std::mutex one_at_a_time;
   const std::lock_guard<std::mutex> held(one_at_a_time);
   std::vector<Found> found;
@@ -142,6 +148,13 @@ std::shared_ptr<Device> open_found(const Found& chosen) {
 }
 
 }  // namespace
+
+void refuse_forked() {
+  const pid_t first = user;
+  if (first != 0 && first != ::getpid())
+    throw DeviceError(fmt::format("this process was forked from process {}, which had used OpenCL: no driver works in both. Fork before the first "
+                                  "picture, or start processes anew (Python: multiprocessing's 'spawn')", first));
+}
 
 Device::Device(const DeviceInfo& device_info, const cl::Device& cl_device)
     : about(device_info), device(cl_device), context(cl_device) {

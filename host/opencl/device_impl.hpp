@@ -42,6 +42,10 @@ class Launching {
   static inline int count_ = 0;
 };
 
+// Throws DeviceError in a process that was forked from one that had used OpenCL: the driver's threads and locks did not come with it,
+// and calls would wait for ever.
+void refuse_forked();
+
 class Device {
  public:
   Device(const DeviceInfo& device_info, const cl::Device& cl_device);
@@ -70,6 +74,7 @@ class Turn {
 
  private:
   static std::unique_lock<std::mutex> next(Device& device) {
+    refuse_forked();
     const std::lock_guard<std::mutex> next(device.next_in_line);
     return std::unique_lock<std::mutex>(device.launches);
   }

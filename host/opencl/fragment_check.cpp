@@ -208,11 +208,23 @@ class Check {
     return p;
   }
 
+  // The media that touch, and where they absorb the same ones without: only beside those is it known what a face has to keep.
+  std::vector<FragmentMedia> media_and_clear_ones() const {
+    const auto absorbs = [](const std::vector<double>& k) { return std::any_of(k.begin(), k.end(), [](double v) { return v != 0; }); };
+    std::vector<FragmentMedia> media = use_.media;
+    for (const FragmentMedia& m : use_.media) {
+      if (!absorbs(m.k1) && !absorbs(m.k2)) continue;
+      media.push_back(m);
+      for (auto* k : {&media.back().k1, &media.back().k2}) std::fill(k->begin(), k->end(), 0.0);
+    }
+    return media;
+  }
+
   // From outside at the grid's angles, from inside at those of the same tangential wave vectors (where there are any), then from inside at
   // the grid's.
   void check_surface() {
     std::vector<SurfaceProblem> outside, inside;
-    for (const FragmentMedia& m : use_.media)   // 1 inside, 2 outside
+    for (const FragmentMedia& m : media_and_clear_ones())   // 1 inside, 2 outside
       for (const std::size_t w : chosen_wavelengths(scene_.lambda_nm.size()))
         for (const double angle : angles_deg()) {
           const double cosine = std::cos(angle * degree), n_in = m.n1[w], n_out = m.n2[w], lambda_nm = scene_.lambda_nm[w];

@@ -188,6 +188,7 @@ KernelReadiness readiness_of(Device& device, const KernelRequest& request) {
 }
 
 std::shared_ptr<const Kernel> get_kernel(Device& device, const KernelRequest& request) {
+  refuse_forked();
   if (request.real_double && !device.about.has_fp64)
     throw DeviceError(fmt::format("{} cannot calculate in double precision (no cl_khr_fp64): use float, or another "
                                   "device (`nicol devices` lists them)", device.about.name));

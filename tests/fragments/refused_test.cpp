@@ -46,6 +46,17 @@ TEST_CASE("a small gain is a warning") {
 
 TEST_CASE("NaN is refused") { CHECK(has(refusal(sheet("\"gain\" factor -1")), "numbers that are not finite")); }
 
+TEST_CASE("absorption hides no gain") {
+  for (const char* absorption : {"", "absorption { constant 0.01 }"}) {
+    CAPTURE(absorption);
+    const auto told = [&](const char* factor) {
+      return refusal(front + "box { -1, 1 interior { ior 1.5 " + absorption + " } surface { plugin { \"inner_gain\" factor " + factor + " } } }");
+    };
+    CHECK(has(told("3"), "plugin 'inner_gain' gains 8"));   // 800 % of what is reflected wholly
+    CHECK(told("1") == "");
+  }
+}
+
 TEST_CASE("what is said to be lossless is held to it") {
   const std::string told = refusal(box("\"dim\" factor 0.95"));
   CAPTURE(told);

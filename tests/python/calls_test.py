@@ -57,6 +57,20 @@ class Errors(unittest.TestCase):
         self.assertRaises(TypeError, small, clok=1)
         self.assertRaises(nicol.UnavailableError, lambda: small().render().error_bound)
 
+    def test_forked(self):
+        small().render()
+        child = os.fork()
+        if child == 0:
+            code = 1
+            signal.alarm(60)
+            try:
+                small().render()
+            except nicol.DeviceError as error:
+                code = 0 if "forked" in str(error) else 2
+            finally:
+                os._exit(code)
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
+
     def test_closed(self):
         scene = small()
         picture = scene.render()
