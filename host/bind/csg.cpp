@@ -95,6 +95,7 @@ class TreeReader {
       node.leaf = *prism;
       return node;
     }
+    if (!raw.told.empty()) node.kind = raw.told;
     if (raw.mesh) {
       node.leaf = *raw.mesh;
       return node;

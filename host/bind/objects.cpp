@@ -306,6 +306,7 @@ void add_leaf(Context& context, const Chain* chain) {
                   "from planes with 'intersection', or use 'polygon' or 'disc'");
     return;
   }
+  if (!raw.told.empty()) object.kind = raw.told;
   if (raw.mesh) return add_mesh(context, chain, object);
   if (!raw.individuals.empty()) return add_twin(context, chain, object);
   if (half_space_count(context, raw)) return add_convex(context, chain, object);

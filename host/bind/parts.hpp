@@ -194,6 +194,7 @@ struct RawObject {
   std::vector<std::array<double, 2>> points;  // prism
   std::vector<HalfSpace> facets;              // crystal, gem, solid
   std::shared_ptr<const MeshShape> mesh;      // solid, in place of facets
+  std::string told;                           // solid: what errors call it, with its plugin
   std::vector<const sdl::Block*> children;
   Affines transforms;
   CrystalFrame crystal_frame;

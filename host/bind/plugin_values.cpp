@@ -56,14 +56,15 @@ std::optional<std::vector<std::pair<double, double>>> plugin_radiance(Context& c
   return points;
 }
 
-std::optional<plugins::SolidShape> plugin_solid(Context& context, const sdl::Block& block) {
-  std::optional<plugins::SolidShape> shape;
+std::optional<PluginSolid> plugin_solid(Context& context, const sdl::Block& block) {
+  std::optional<PluginSolid> made;
   with_plugin(
       context, block, [](auto& source, const std::string& name) -> auto& { return source.solid(name); },
       [&](const plugins::Solid& solid, const plugins::Values& values) {
-        shape = solid.make(values, [&](const std::string& file) { return find_file(context, file); });
+        auto shape = solid.make(values, [&](const std::string& file) { return find_file(context, file); });
+        made = PluginSolid{std::move(shape), "solid \"" + solid.name + "\" of plugin " + solid.file};
       });
-  return shape;
+  return made;
 }
 
 }  // namespace nicol

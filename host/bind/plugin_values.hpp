@@ -1,6 +1,7 @@
 // What plugins of shared objects give to a scene: numbers at its wavelengths, and solids.
 #pragma once
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct PluginIndex {
 std::optional<PluginIndex> plugin_index(Context& context, const sdl::Block& block);
 // Relative radiance likewise; at least two points.
 std::optional<std::vector<std::pair<double, double>>> plugin_radiance(Context& context, const sdl::Block& block);
-std::optional<plugins::SolidShape> plugin_solid(Context& context, const sdl::Block& block);
+struct PluginSolid {
+  plugins::SolidShape shape;
+  std::string told;  // `solid "cube" of plugin /.../lab.so`
+};
+std::optional<PluginSolid> plugin_solid(Context& context, const sdl::Block& block);
 
 }  // namespace nicol

@@ -31,10 +31,11 @@ void add_solid_rules(Context& context, RawObject& raw, Schema& schema) {
                           [=](const Args& a) {
                             r->facets.clear();
                             r->mesh = nullptr;
-                            auto shape = plugin_solid(*c, *a.block);
-                            if (!shape) return;
-                            if (auto* planes = std::get_if<ConvexShape>(&*shape)) r->facets = std::move(planes->faces);
-                            else r->mesh = std::make_shared<MeshShape>(std::move(std::get<MeshShape>(*shape)));
+                            auto made = plugin_solid(*c, *a.block);
+                            if (!made) return;
+                            r->told = std::move(made->told);
+                            if (auto* planes = std::get_if<ConvexShape>(&made->shape)) r->facets = std::move(planes->faces);
+                            else r->mesh = std::make_shared<MeshShape>(std::move(std::get<MeshShape>(made->shape)));
                           },
                           "`\"NAME\" parameter value ...`: planes or a closed mesh that a plugin brings"});
 }

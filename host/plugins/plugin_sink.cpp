@@ -42,8 +42,9 @@ class PluginSink : public FrameSink {
     } catch (const PluginError& error) {
       cannot_write(path_, error.what());
     }
-    if (!std::filesystem::is_regular_file(file.unfinished_name()))
-      cannot_write(path_, "plugin " + sink_.file + ": sink '" + sink_.name + "' has left no file");
+    const std::string sink = "plugin " + sink_.file + ": sink '" + sink_.name + "'";
+    if (!std::filesystem::is_regular_file(file.unfinished_name())) cannot_write(path_, sink + " has left no file");
+    if (std::filesystem::is_empty(file.unfinished_name())) cannot_write(path_, sink + " says that it is done, and has written nothing");
     file.commit();
   }
 

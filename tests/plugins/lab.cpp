@@ -65,6 +65,7 @@ int filed(void*, const nicol_host_v1* host, const nicol_values_v1* values) {
 }
 
 int write_text(void*, const nicol_host_v1* host, const nicol_picture_v1* picture, const char* path) {
+  if (picture->width == 4) return NICOL_PLUGIN_OK;   // and nothing is written
   if (picture->width == 3) {
     host->set_message(host, "three is one too many");
     return NICOL_PLUGIN_ERROR;
