@@ -42,6 +42,18 @@ void tell(const plugins::Library& library) {
     fmt::print("  sink {} for {}{}\n", sink.name, sink.suffix, sink.meaning.empty() ? "" : ": " + sink.meaning);
 }
 
+void tell(const std::string& file, const Manifest& manifest) {
+  const Fragment& fragment = *manifest.fragment;
+  fmt::print("{}\n  {} {}: {}\n", file, fragment.kind == Fragment::Kind::element ? "polarizing element" : "surface", fragment.name,
+             fragment.meaning);
+  for (const plugins::Parameter& parameter : manifest.parameters) fmt::print("{}", text_of(parameter));
+}
+
+void tell_fault(const std::string& fault, int& code) {
+  fmt::print(stderr, "nicol: {}\n", fault);
+  code = exit_error;
+}
+
 }  // namespace
 
 int plugins_command(const SceneOptions& options) {
@@ -55,18 +67,19 @@ int plugins_command(const SceneOptions& options) {
     finder.load_named();
     for (const plugins::Library* library : finder.named()) tell_once(*library);
   } catch (const plugins::PluginError& error) {
-    fmt::print(stderr, "nicol: {}\n", error.what());
-    code = exit_error;
+    tell_fault(error.what(), code);
   }
   for (const std::string& file : finder.files()) {
     try {
       tell_once(plugins::load_library(file));
     } catch (const plugins::PluginError& error) {
-      fmt::print(stderr, "nicol: {}\n", error.what());
-      code = exit_error;
+      tell_fault(error.what(), code);
     }
   }
-  if (told.empty() && code == exit_done) fmt::print("no plugins are found\n");
+  const FoundFragments fragments = find_fragments(options);
+  for (const auto& [file, manifest] : fragments.manifests) tell(file, manifest);
+  for (const std::string& fault : fragments.faults) tell_fault(fault, code);
+  if (told.empty() && fragments.manifests.empty() && code == exit_done) fmt::print("no plugins are found\n");
   return code;
 }
 

@@ -1,8 +1,11 @@
 // See plugins.hpp.
 #include "host/engine/plugins.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
 
+#include "host/engine/loaded_scene.hpp"
 #include "host/output/sinks.hpp"
 #include "host/plugins/plugin_sink.hpp"
 
@@ -34,7 +37,38 @@ SinkMaker maker_for(plugins::Finder& finder, const std::string& suffix) {
   }
 }
 
+// The manifests of one folder and of its folders, sorted.
+std::vector<fs::path> manifests_in(const fs::path& folder) {
+  std::error_code failed;
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed)) {
+    const fs::path path = entry.path();
+    const fs::path manifest = entry.is_directory(failed) ? path / (path.filename().string() + ".json") : path;
+    const bool pair = manifest.extension() == ".json" && fs::is_regular_file(manifest, failed) &&
+                      fs::is_regular_file(fs::path(manifest).replace_extension(".cl"), failed);
+    if (pair) found.push_back(manifest);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 }  // namespace
+
+FoundFragments find_fragments(const SceneOptions& options) {
+  FoundFragments found;
+  std::set<fs::path> met;
+  std::error_code failed;
+  for (const std::string& folder : parse_options(options).library_paths)
+    for (const fs::path& file : manifests_in(folder)) {
+      if (!met.insert(fs::weakly_canonical(file, failed)).second) continue;
+      try {
+        found.manifests.emplace_back(file.string(), read_manifest(file.string()));
+      } catch (const ManifestError& error) {
+        found.faults.push_back(error.what());
+      }
+    }
+  return found;
+}
 
 plugins::Finder plugin_finder(const SceneOptions& options) {
   return plugins::Finder(plugins::places_of(options.plugins, options.library_paths, own_folders()));

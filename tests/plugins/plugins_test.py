@@ -87,6 +87,8 @@ class Plugins(runs.Runs):
         values = [float(line.split()[1]) for line in lines[1:3]]
         self.assertAlmostEqual(values[1] / values[0], math.exp(-2), places=6)
         self.refused(["three is one too many", "lab.so"], "render", "lamp.pov", "-o", "bad.txt", "--plugin", f"{TEST}/lab.so", "-W", 3, "-H", 2)
+        self.refused(["cannot write bad.txt", "lab.so: sink 'numbers'", "has written nothing"], "render", "lamp.pov", "-o", "bad.txt",
+                     "--plugin", f"{TEST}/lab.so", "-W", 4, "-H", 2)
         self.assertEqual([p.name for p in self.folder.iterdir() if p.name not in ("lamp.pov", "out.txt")
                           and not p.name.endswith(".part")], [])
         self.refused(["unknown suffix .txt"], "render", "lamp.pov", "-o", "out.txt", "-L", TEST)
@@ -101,8 +103,11 @@ class Plugins(runs.Runs):
         self.same_picture("solid { plugin { \"cube\" edge 1 }" + GLASS + "rotate 20*y }\n", "box { 0, 1" + GLASS + "rotate 20*y }\n", *lab)
         self.same_picture("difference { solid { plugin { \"lab/cube\" } } box { 0.5, 2 }" + GLASS + "}\n",
                           "difference { box { 0, 1 } box { 0.5, 2 }" + GLASS + "}\n", *lab)
-        self.refused(["File 'scene.pov' line 5", "solid is open: the edge from", "has no other face"], "check",
+        of_lab = f'solid "cube" of plugin {os.path.realpath(TEST)}/lab.so'
+        self.refused(["File 'scene.pov' line 5", f"{of_lab} is open: the edge from", "has no other face"], "check",
                      self.scene('solid { plugin { "cube" open 1 }' + GLASS + "}\n"), *lab)
+        self.refused(["File 'scene.pov' line 5", f"{of_lab}' at line 5 is open"], "check",
+                     self.scene('difference { solid { plugin { "cube" open 1 } } box { 0.5, 2 }' + GLASS + "}\n"), *lab)
 
     def test_mesh_that_is_not_convex(self):
         text = self.scene('solid { plugin { "ell" }' + GLASS + "}\nbox { <1, 0, 1>, <3, 1, 2>" + GLASS + "optical_contact }\n")
@@ -215,6 +220,28 @@ class Plugins(runs.Runs):
         for words in ("lithium_niobate_ordinary", "temperature number, K, default 297.65, from 250 to 800", "importer goniometer for .gon",
                       "sink numbers for .txt", "file \"text\", must be said"):
             self.assertIn(words, result.stdout)
+
+    def test_list_of_fragments(self):
+        """nicol's own, and what lies in a folder that is named, by itself or in a folder of its name."""
+        own = self.nicol("plugins")
+        self.assertEqual(own.returncode, 0, own.stderr)
+        for words in ("wire_grid/wire_grid.json\n  polarizing element wire_grid: a free-standing grid", "surface thin_film: one homogeneous",
+                      "    period number, nm, default 140, from 10 to 250: from wire to wire\n", "thickness_nm number, nm, from 0 to 100000, must be said"):
+            self.assertIn(words, own.stdout)
+        for place in ("", "half/"):
+            (self.folder / "lib" / place).mkdir(parents=True, exist_ok=True)
+            for end in ("json", "cl"):
+                text = (Path(SCENES) / "thin_film" / f"thin_film.{end}").read_text(encoding="utf-8")
+                name = "half" if place else "film"
+                (self.folder / "lib" / place / f"{name}.{end}").write_text(text.replace("thin_film", name), encoding="utf-8")
+        (self.folder / "lib" / "other.json").write_text("{}", encoding="utf-8")  # no OpenCL C beside it: of something else
+        found = self.nicol("plugins", "-L", "lib")
+        self.assertEqual(found.returncode, 0, found.stderr)
+        for words in ("lib/film.json\n  surface film: one", "lib/half/half.json\n  surface half: one"):
+            self.assertIn(words, found.stdout)
+        (self.folder / "lib" / "film.json").write_text("{ }", encoding="utf-8")
+        told = self.refused(["lib/film.json:1:1: 'name' is missing"], "plugins", "-L", "lib")
+        self.assertNotIn("wire_grid", told)
 
     def test_demo_scenes(self):
         for scene in ("temperature_sellmeier/lithium_niobate.pov", "goniometer/quartz.pov"):
