@@ -26,10 +26,12 @@ FILES = [
     r"bin/nicol", LIB + r"/libnicol\.so", LIB + r"/libnicol\.so\.\d+", LIB + r"/libnicol\.so\.\d+\.\d+\.\d+\.\d+",
     r"include/nicol\.h", r"include/nicol\.hpp", r"include/nicol_plugin\.h", LIB + r"/cmake/nicol/nicolConfig\.cmake",
     LIB + r"/cmake/nicol/nicolConfigVersion\.cmake", LIB + r"/pkgconfig/nicol\.pc", r"lib/python3/dist-packages/nicol\.py",
-    r"share/nicol/array\.sbatch", r"share/nicol/include/\w+\.inc", r"share/nicol/plugins/(\w+)/\w+\.(cl|json)",
+    r"share/nicol/array\.sbatch", r"share/nicol/include/\w+\.inc", 
+    r"share/nicol/plugins/(\w+)/\w+\.(cl|json|cpp|gon|md|png|pov|txt)", r"share/nicol/fragments/\w+\.(h|hpp|md)",
     LIB + r"/nicol/plugins/\w+\.so"]
 OPTIONAL = {LIB + r"/nicol/plugins/\w+\.so"}
-SOURCES = {"units.inc", "minerals.inc", "closed_forms.inc", "cuts.inc", "illuminants.inc"}
+SOURCES = {"units.inc", "minerals.inc", "closed_forms.inc", "cuts.inc", "illuminants.inc", "fragment.h", "modes.h", "vec3.h", "portable.h",
+           "manifest.hpp", "wire_grid.cl", "wire_grid.json", "thin_film.cl", "goniometer.cpp", "temperature_sellmeier.cpp", "quartz.gon"}
 BUDGET = {"cut-off", "sampling", "spectral step", "rounding"}
 
 
@@ -117,6 +119,22 @@ box { -1, 1 interior { ior 1.5 } }
         elsewhere = shutil.move(own, self.folder / "flat.so")
         program = f"import nicol; c = nicol.Context(); c.load_plugin({str(elsewhere)!r}); c.load({str(scene)!r})"
         run(sys.executable, "-B", "-c", program, env={**EMPTY, "PYTHONPATH": str(self.prefix / "lib" / "python3" / "dist-packages")})
+
+    def test_how_to_write_a_plugin(self):
+        """The example builds as its how-to says, every file that a how-to names is there, and `nicol plugins` lists both."""
+        shared = self.prefix / "share" / "nicol"
+        how_tos = sorted(shared.glob("plugins/*/README.md"))
+        self.assertEqual([file.parent.name for file in how_tos], ["goniometer", "temperature_sellmeier", "wire_grid"])
+        for how_to in how_tos:
+            for target in re.findall(r"\]\(([^)#:]+)\)", how_to.read_text(encoding="utf-8")):
+                self.assertTrue((how_to.parent / target).exists(), f"{how_to} names {target}")
+        build = self.folder / "example"
+        run(CMAKE, "-S", shared / "plugins" / "temperature_sellmeier", "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}",
+            f"-DCMAKE_CXX_COMPILER={CXX}")
+        run(CMAKE, "--build", build)
+        listed = run(self.prefix / "bin" / "nicol", "plugins", "--plugin", build / "temperature_sellmeier.so", env=EMPTY)
+        for words in (str(build / "temperature_sellmeier.so"), str(shared / "plugins" / "wire_grid" / "wire_grid.json")):
+            self.assertIn(words, listed)
 
     def test_python(self):
         program = "\n".join([
