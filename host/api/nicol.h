@@ -14,7 +14,7 @@
    Errors     are statuses; nicol_last_error() has the words, of the last call on this thread that failed. Where a call fails, what it
               hands out is NULL or zero, except where said. NULL in place of a handle, an array or a place for a result, and values
               outside an enumeration, are NICOL_ERROR_ARGUMENT. No exception leaves this library, no function ends the program, and
-              nothing is printed.
+              nothing is printed; an OpenCL driver may print what its compiler has to say.
    Threads    Scenes and pictures do not change once they are handed out: any number of threads may read them. A context may be used by
               several threads. Its renderings take turns; reading scenes does not wait for them. Distinct contexts do not wait for each
               other, except where kernels are compiled and saved.
@@ -56,7 +56,7 @@ enum {
   NICOL_ERROR_DEVICE = 4,      /* no OpenCL device, none of that name, or it failed */
   NICOL_ERROR_INPUT = 5,       /* a file that cannot be read, or parts that do not fit each other */
   NICOL_ERROR_OUTPUT = 6,      /* a file that cannot be written */
-  NICOL_ERROR_MEMORY = 7,
+  NICOL_ERROR_MEMORY = 7,      /* memory ran out; a picture larger than all of the machine's is NICOL_ERROR_ARGUMENT */
   NICOL_ERROR_PLUGIN = 8,      /* a plugin that cannot be loaded, or that failed */
   NICOL_ERROR_CALLBACK = 9,    /* an exception left a callback */
   NICOL_ERROR_UNAVAILABLE = 10, /* this picture does not have it */
@@ -172,8 +172,8 @@ NICOL_API int nicol_scene_is_whole(const nicol_scene* scene); /* 1: without erro
 typedef struct nicol_diagnostic {
   uint32_t struct_size;
   nicol_severity severity;
-  const char* file;
-  uint32_t line, column;   /* from 1; column in bytes */
+  const char* file;        /* the scene's own where no place can be told */
+  uint32_t line, column;   /* from 1; column in bytes. 0, 0: of the scene as a whole */
   const char* message;
   const char* text;        /* all of it, on several lines: place, source line, caret, the macros that led there, hints */
 } nicol_diagnostic;
@@ -235,16 +235,19 @@ typedef struct nicol_render_options {
   nicol_precision precision;       /* of the kernel; double where an error asks for it, whatever stands here */
   int32_t lanes;                   /* work-item's vector width: 1, 4, 8 or 16; 0: the device's own */
   int32_t generic;                 /* 1: one kernel for every scene instead of one made for this */
-  int32_t no_cache;                /* 1: kernels are built anew, and not kept */
+  int32_t no_cache;                /* 1: kernels are neither loaded from nicol's cache on the disk nor kept there; one that this context has
+                                      built before is taken again, and drivers have caches of their own */
   int32_t resume;                  /* 1: goes on from the tiles in `journal` */
   const char* journal;             /* file that keeps finished tiles of a rendering of more than a few seconds; NULL: none. It is
                                       removed when the picture is whole */
   int32_t want_error_bound;        /* 1: the planes NICOL_PLANE_ERROR_*; costs some time */
   int32_t want_error_budget;       /* 1: nicol_picture_budget_*; costs some time */
   int32_t part, part_count;        /* the share `part` of part_count (1 <= part <= part_count) of the pixels; 0, 0: all */
-  int32_t first_row, row_count;    /* a window, from 0; row_count 0: all rows. A whole picture has neither part nor window nor */
-  int32_t first_column, column_count; /* wavelengths left out, and only that can keep an error, or have a bound or a budget */
-  double first_wavelength_nm, last_wavelength_nm; /* those of the scene's wavelengths in this range; 0, 0: all */
+  int32_t first_row, row_count;    /* a window, from 0; row_count 0: all rows */
+  int32_t first_column, column_count;
+  double first_wavelength_nm, last_wavelength_nm; /* those of the scene's wavelengths in this range; 0, 0: all. Only a picture without a
+                                      part, pixels or wavelengths left out can keep an error, or have a bound or a budget: else
+                                      NICOL_ERROR_ARGUMENT. Part 1 of 1 is a part, to be merged; a window of all pixels is none */
   nicol_progress_callback progress;   /* may be NULL, as the next two: called between tiles */
   nicol_tile_callback tile;
   nicol_cancel_callback cancel;       /* asked then too, and between stages */
@@ -319,7 +322,7 @@ typedef struct nicol_report {
   uint64_t tiles, tiles_found;    /* rendered; taken from the journal */
   double samples_mean;            /* per pixel */
   double sample_error;            /* estimate, relative to mean_radiance; NaN: not known */
-  int32_t sample_error_kept;      /* 1: as asked for */
+  int32_t sample_error_kept;      /* 1: as asked for, or none was asked for */
   int32_t reserved;
   double mean_radiance;           /* of S0, per nm */
   double cut_off_mean, cut_off_worst; /* over pixels, of NICOL_PLANE_CUT_OFF */

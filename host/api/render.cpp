@@ -92,6 +92,7 @@ class Rendering {
     auto made = std::make_unique<nicol_picture>(const_cast<nicol_scene*>(&scene_));
     ask_cancel();
     if (callbacks_.stopped()) return callbacks_.status();
+    refuse_budget_of_part(loaded->scene);
     const auto devices = scene_.context->open();
     for (const auto& device : devices) engine::check_precision(*device, options_.device);
     std::shared_ptr<Device> first = devices.front();
@@ -105,6 +106,12 @@ class Rendering {
   }
 
  private:
+  void refuse_budget_of_part(const Scene& scene) const {
+    if (options_.no_budget) return;
+    const engine::PictureShare share = engine::choose_share(options_, {}, scene);
+    require(share.whole(), fmt::format("want_error_budget does not go with a part of a picture ({}): it is of the whole picture", share.name));
+  }
+
   void ask_cancel() {
     if (wanted_.cancel) callbacks_.ask([&] { return wanted_.cancel(wanted_.user); });
   }

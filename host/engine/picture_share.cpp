@@ -50,13 +50,15 @@ bool is_png(const std::string& path) {
 void refuse_with_part(const PictureOptions& command, const std::vector<std::string>& outputs, const Scene& scene, const PictureShare& share) {
   const bool from_scene = !command.options.error && !command.options.sample_error;
   if (scene.settings.error > 0)
-    refuse(share, from_scene ? "the scene's `error`" : "--error", "the settings that keep it are picked, and its samples placed, by the whole picture");
+    refuse(share, from_scene ? "the scene's `error`" : "an error to be kept", "the settings that keep it are picked, and its samples placed, by the whole picture");
   if (scene.settings.sample_error > 0)
-    refuse(share, from_scene ? "the scene's `sample_error`" : "--sample-error",
-           "where further samples go is decided by the whole picture; --samples gives every pixel as many");
-  if (command.wants_error_bound()) refuse(share, "--error-map", "it holds each pixel against its neighbours");
+    refuse(share, from_scene ? "the scene's `sample_error`" : "a sample error to be kept",
+           "where further samples go is decided by the whole picture; 'samples' gives every pixel as many");
+  if (command.wants_error_bound()) refuse(share, "an error bound", "it holds each pixel against its neighbours");
   for (const std::string& path : outputs) check_output(share, path);
 }
+
+bool leaves_out_nothing(PixelRange range, int count) { return range.first == 0 && range.last == count - 1; }
 
 std::string range_text(const char* what, PixelRange range) { return fmt::format("{} {}..{}", what, range.first + 1, range.last + 1); }
 
@@ -66,11 +68,13 @@ void choose_pixels(const PictureOptions& command, PictureShare& share, std::vect
     const auto [i, n] = parse_share(command.part);
     share.pixels = dealt_pixels(width, height, i, n);
     if (share.pixels.empty())
-      throw UsageError(fmt::format("--part {}: the picture has fewer runs of {} pixels than that", command.part, deal_run));
+      throw UsageError(fmt::format("part {}: the picture has fewer runs of {} pixels than that", command.part, deal_run));
     names.push_back("share " + command.part);
   }
   if (!has_window(command.window)) return;
   const PixelRange rows = rows_of(command.window, height), columns = columns_of(command.window, width);
+  if (leaves_out_nothing(rows, height) && leaves_out_nothing(columns, width)) return;
+  share.window_only = command.part.empty();
   const auto outside = [&](std::int32_t p) {
     const int x = p % width, y = p / width;
     return x < columns.first || x > columns.last || y < rows.first || y > rows.last;
@@ -94,6 +98,7 @@ void choose_wavelengths(const PictureOptions& command, const Scene& scene, Pictu
   if (first >= last)
     throw UsageError(fmt::format("none of the scene's {} wavelengths ({:g} to {:g} nm) lies in {:g}..{:g}", scene.lambda_nm.size(),
                                  scene.lambda_nm.front(), scene.lambda_nm.back(), from_nm, to_nm));
+  if (first == scene.lambda_nm.begin() && last == scene.lambda_nm.end()) return;
   share.wavelengths = {static_cast<std::size_t>(first - scene.lambda_nm.begin()), static_cast<std::size_t>(last - first)};
   names.push_back(fmt::format("{:g}..{:g} nm", *first, *(last - 1)));
 }
@@ -106,7 +111,7 @@ std::array<int, 2> parse_share(const std::string& text) {
   constexpr int most = 1'000'000;
   const bool good = slash != std::string::npos && read_number(std::string_view(text).substr(0, slash), i) &&
                     read_number(std::string_view(text).substr(slash + 1), n) && i >= 1 && i <= n && n <= most;
-  if (!good) throw UsageError(fmt::format("--part takes i/n with 1 <= i <= n, as in 2/3, not '{}'", text));
+  if (!good) throw UsageError(fmt::format("a part is told as i/n with 1 <= i <= n, as in 2/3, not '{}'", text));
   return {i, n};
 }
 
@@ -143,7 +148,7 @@ PictureShare choose_share(const PictureOptions& command, const std::vector<std::
   choose_pixels(command, share, names);
   choose_wavelengths(command, scene, share, names);
   share.name = fmt::format("{}", fmt::join(names, ", "));
-  share.window_only = names.size() == 1 && has_window(command.window);
+  share.window_only = share.window_only && names.size() == 1;
   if (!share.whole()) refuse_with_part(command, outputs, scene, share);
   return share;
 }

@@ -18,7 +18,8 @@ struct PictureShare {
   bool whole() const { return name.empty(); }
 };
 
-// Of the command's options. UsageError where they make no sense, or come with what needs a whole picture (the error targets of the
+// Of the command's options. Windows and ranges of wavelengths that leave nothing out are none; share 1/1 is a share all the same, so that it
+// can be merged whatever n is. UsageError where they make no sense, or come with what needs a whole picture (the error targets of the
 // command, an error map, a .png of a dealt share or of some wavelengths).
 PictureShare choose_share(const PictureOptions& command, const std::vector<std::string>& outputs, const Scene& scene);
 

@@ -582,7 +582,7 @@ class Scene(_Owner):
         part: (i, n), the share i = 1..n of the pixels.   rows, columns: (first, stop), from 0.   wavelengths_nm: (first, last), those of
             the scene's in this range. Only a whole picture keeps an error, has a bound or a budget.
         journal: file that keeps finished tiles, resume: go on from it.   lanes: vector width, 0 as the device has it.
-        generic: the kernel that serves all scenes.   cache=False: kernels are built anew.
+        generic: the kernel that serves all scenes.   cache=False: kernels are neither loaded from the disk nor kept there.
         """
         first_row, row_count = _span("rows", rows)
         first_column, column_count = _span("columns", columns)

@@ -91,6 +91,8 @@ TEST_CASE("numbers that make no sense are refused, with words") {
   CHECK(render([](auto& o) { o.first_wavelength_nm = 700, o.last_wavelength_nm = 800; }) == NICOL_ERROR_ARGUMENT);
   CHECK(render([](auto& o) { o.resume = 1; }) == NICOL_ERROR_ARGUMENT);
   CHECK(render([](auto& o) { o.row_count = 3, o.want_error_bound = 1; }) == NICOL_ERROR_ARGUMENT);
+  CHECK(render([](auto& o) { o.part = 1, o.part_count = 2, o.want_error_budget = 1; }) == NICOL_ERROR_ARGUMENT);
+  CHECK(told("want_error_budget does not go with a part"));
   CHECK(picture == nullptr);
   nicol_scene* scene = nullptr;
   const auto load = [&](auto set) {

@@ -102,11 +102,11 @@ class Parts(Runs):
     def test_what_needs_a_whole_picture_is_refused(self):
         part = ["render", CUBE, *SIZE, "--part", "1/2", "-o"]
         self.refused(["a.png", ".exr"], *part, "a.png")
-        self.refused(["--error", "whole picture"], *part, "a.exr", "--error", "1%")
-        self.refused(["--sample-error", "whole picture"], *part, "a.exr", "--sample-error", "1%")
-        self.refused(["--error-map"], *part, "a.exr", "--error-map", "map.exr")
+        self.refused(["an error to be kept", "whole picture"], *part, "a.exr", "--error", "1%")
+        self.refused(["a sample error to be kept", "whole picture"], *part, "a.exr", "--sample-error", "1%")
+        self.refused(["an error bound"], *part, "a.exr", "--error-map", "map.exr")
         self.refused(["none of the scene's 3 wavelengths"], "render", CUBE, "--wavelengths", "460..500", "-o", "a.exr")
-        self.refused(["--part", "3/2"], "render", CUBE, "--part", "3/2", "-o", "a.exr")
+        self.refused(["part is told as i/n", "3/2"], "render", CUBE, "--part", "3/2", "-o", "a.exr")
         self.refused(["row 41"], "render", CUBE, *SIZE, "+SR41", "-o", "a.exr")
         self.assertEqual(self.files(), [])
 
