@@ -69,21 +69,21 @@ std::string error_message(const cl::Error& error, const std::string& device) {
 
 std::string way_out(cl_int code) {
   if (is_shortage(code))
-    return ": it has too little memory, even for the smallest tiles; take fewer wavelengths at once (--wavelengths), close what "
-           "else uses the device, or take another (`nicol devices` lists them)";
+    return ": it has too little memory, even for the smallest tiles; take fewer wavelengths at once, close what else "
+           "uses the device, or take another (`nicol devices` lists them)";
   switch (code) {
     case CL_DEVICE_NOT_AVAILABLE:
     case CL_INVALID_COMMAND_QUEUE:
     case CL_INVALID_CONTEXT:
     case CL_INVALID_DEVICE:
     case CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST:
-      return ": the device is gone or was reset; `render --continue` goes on from the tiles that are finished, on this device "
-             "when it is back; `nicol devices` lists others";
+      return ": the device is gone or was reset; tiles that a journal has kept are gone on from (`nicol render --continue`), on this "
+             "device when it is back; `nicol devices` lists others";
     case CL_BUILD_PROGRAM_FAILURE:
     case CL_COMPILER_NOT_AVAILABLE:
     case CL_LINK_PROGRAM_FAILURE:
     case CL_COMPILE_PROGRAM_FAILURE:
-      return ": this driver cannot build nicol's kernel; try `--generic`, a newer driver, or another device (`nicol devices` "
+      return ": this driver cannot build nicol's kernel; try the generic kernel, a newer driver, or another device (`nicol devices` "
              "lists them)";
     default: return "";
   }

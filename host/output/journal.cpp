@@ -197,7 +197,7 @@ void Journal::remove() {
 
 void Journal::stop(const std::string& reason) {
   recording_ = false;
-  note_ = "finished tiles are not kept for --continue: cannot write " + path_ + ": " + reason;
+  note_ = "finished tiles are not kept: cannot write " + path_ + ": " + reason;
 }
 
 // Only what no piece holds yet: a tile launched again has the same bytes.
