@@ -129,10 +129,10 @@ std::vector<const Found*> choose_several(const std::vector<Found>& found, const 
   for (std::size_t from = 0; from <= wanted.size();) {
     const std::size_t comma = std::min(wanted.find(',', from), wanted.size());
     const std::string one = wanted.substr(from, comma - from);
-    if (one.empty() && !wanted.empty()) throw DeviceError(fmt::format("--device {}: a number or name lacks between the commas", wanted));
+    if (one.empty() && !wanted.empty()) throw DeviceError(fmt::format("device {}: a number or name lacks between the commas", wanted));
     const Found* chosen = &choose(found, one);
     if (std::find(several.begin(), several.end(), chosen) != several.end())
-      throw DeviceError(fmt::format("--device {}: {} is named twice", wanted, chosen->about.name));
+      throw DeviceError(fmt::format("device {}: {} is named twice", wanted, chosen->about.name));
     several.push_back(chosen);
     from = comma + 1;
   }
