@@ -15,6 +15,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <new>
 
 #include "host/output/atomic_file.hpp"
 #include "host/output/exr_threads.hpp"
@@ -99,6 +100,8 @@ class ExrSink : public FrameSink {
     try {
       write_pixels(Layout(frame, rgb, packing_), frame.height, file);
     } catch (const OutputError&) {
+      throw;
+    } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& error) {
       file.rethrow_error();
