@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <new>
 #include <set>
 
 #include "host/api/handles.hpp"
@@ -132,6 +133,13 @@ bool cannot_be_opened(const nicol_scene& scene) {
          diagnostics.front().message.rfind("Cannot open input file.", 0) == 0;
 }
 
+// That is no fault of the scene, though the parser tells it as one.
+bool lacked_memory(const nicol_scene& scene) {
+  return std::any_of(scene.diagnostics.begin(), scene.diagnostics.end(), [](const DiagnosticText& d) {
+    return d.message.rfind("Out of memory.", 0) == 0 && d.message.find(std::bad_alloc().what()) != std::string::npos;
+  });
+}
+
 nicol_status load(nicol_context* context, const char* name, const std::string* text, const nicol_scene_options* options,
                   nicol_scene** handed_out) {
   refuse_in_callback("nicol_scene_load");
@@ -154,6 +162,7 @@ nicol_status load(nicol_context* context, const char* name, const std::string* t
   includes.callbacks = nullptr;
   if (const nicol_status stopped = callbacks.status(); stopped != NICOL_OK) return stopped;
   describe(*scene);
+  if (lacked_memory(*scene)) throw std::bad_alloc();
   if (cannot_be_opened(*scene)) throw Failure(NICOL_ERROR_INPUT, scene->diagnostics.front().text);
   const bool whole = scene->read.whole;
   const std::string told = whole ? "" : scene->read.loaded->parsed.diagnostics.text();
