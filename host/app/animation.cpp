@@ -27,16 +27,6 @@ int frame_at(double value, const AnimationOptions& options) {
   return static_cast<int>(std::floor(value < 1 ? value * *options.final_frame : value));
 }
 
-bool exists(const std::string& path) {
-  std::error_code failed;
-  return std::filesystem::exists(path, failed);
-}
-
-// All of its pictures are there, and no tiles of an unfinished one.
-bool is_there(const RenderCommand& frame) {
-  return std::all_of(frame.outputs.begin(), frame.outputs.end(), exists) && !exists(journal_path(frame.outputs.front()));
-}
-
 RenderCommand command_of_frame(const RenderCommand& command, const std::vector<std::string>& outputs, int frame) {
   RenderCommand one = command;
   one.options.clock = clock_at(command.animation, frame);
@@ -99,16 +89,13 @@ int render_animation(const RenderCommand& command) {
   int found = 0;
   for (int frame = range.first; frame <= range.last; ++frame) {
     const RenderCommand one = command_of_frame(command, outputs, frame);
-    if (command.resume && is_there(one)) {
-      ++found;
-      continue;
-    }
     tools.frames = {frame - range.first, range.last - range.first + 1, frame - range.first - found};
     const int code = cancel ? exit_interrupted : render_picture(one, tools);
     if (code == exit_interrupted)
       fmt::print(stderr, "nicol: interrupted in frame {} of {} to {}; --continue goes on from here\n", frame, range.first, range.last);
     if (code == exit_error) fmt::print(stderr, "nicol: frame {} (clock {:g}) failed\n", frame, one.options.clock.clock);
     if (code != exit_done) return code;
+    if (tools.was_there) ++found;
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (!command.quiet) tell_end(outputs, command.animation, range, found, taken.count());

@@ -8,6 +8,7 @@
 
 #include "host/app/interrupt.hpp"
 #include "host/app/progress_bar.hpp"
+#include "host/app/there_already.hpp"
 #include "host/app/told_scene.hpp"
 #include "host/engine/picture.hpp"
 #include "host/engine/plugins.hpp"
@@ -32,8 +33,9 @@ std::vector<Target> make_targets(const RenderCommand& command) {
   return targets;
 }
 
-PictureOptions options_of(const RenderCommand& command, const std::vector<Target>& targets) {
+PictureOptions options_of(const RenderCommand& command, const std::vector<Target>& targets, bool resume) {
   PictureOptions options = command;
+  options.resume = resume;
   options.outputs = outputs_of(command);
   options.journal = journal_path(targets.front().path);
   options.tell_resumed = !command.quiet;
@@ -51,8 +53,8 @@ void open_wanted(const RenderCommand& command, RenderTools& tools) {
 }
 
 // With a bar that lines which tell something do not run into.
-Picture make_with_bar(const RenderCommand& command, const std::vector<Target>& targets, std::unique_ptr<LoadedScene>& loaded,
-                      RenderTools& tools) {
+Picture make_with_bar(const RenderCommand& command, const std::vector<Target>& targets, bool resume,
+                      std::unique_ptr<LoadedScene>& loaded, RenderTools& tools) {
   ProgressBar bar(!command.quiet);
   PictureHooks hooks;
   hooks.cancel = &finish_first();
@@ -68,7 +70,7 @@ Picture make_with_bar(const RenderCommand& command, const std::vector<Target>& t
     fmt::print(stderr, "{}: {}\n", severity == Severity::warning ? "warning" : "nicol", line);
   };
   try {
-    return make_picture(loaded, options_of(command, targets), tools.device, hooks);
+    return make_picture(loaded, options_of(command, targets, resume), tools.device, hooks);
   } catch (const RenderFailure& error) {
     throw DeviceError(fmt::format("{}\nWhat was finished after the first seconds is kept in {}: --continue goes on from there",
                                   error.what(), journal_path(targets.front().path)));
@@ -147,13 +149,18 @@ int render_picture(const RenderCommand& command, RenderTools& tools) {
   if (!command.error_map.empty()) make_sink(command.error_map);
   auto loaded = load_and_tell(command.scene, command.options, Expectations::where_they_apply, &tools.told);
   if (!loaded) return exit_error;
-  open_wanted(command, tools);
-  const Picture picture = make_with_bar(command, targets, loaded, tools);
   const bool one_of_many = tools.frames.has_value();
   if (picture.report.interrupted) return finish_interrupted(targets, picture, one_of_many);
   const int code = write_all(targets, picture.frame);
   if (code == exit_done) picture.journal->remove();  // else --continue writes the picture without rendering it again
   if (!command.error_map.empty()) make_sink(command.error_map)->write(error_bound(picture));
+  const Found found = command.resume ? find_what_is_there(command, outputs_of(command), *loaded) : Found{};
+  tools.was_there = found.picture;
+  if (found.picture && !one_of_many && !command.quiet) fmt::print(stderr, "{} is there already\n", targets.front().path);
+  if (found.picture) return exit_done;
+  open_wanted(command, tools);
+  const bool resume = found.tiles || (command.resume && !one_of_many && !found.another);
+  const Picture picture = make_with_bar(command, targets, resume, loaded, tools);
   if (!command.quiet) {
     tell(targets, picture, one_of_many);
     if (!command.no_budget && picture.share.whole()) fmt::print(stderr, "{}", budget_text(picture.budget));

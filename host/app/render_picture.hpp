@@ -23,6 +23,7 @@ struct RenderTools {
   std::vector<std::shared_ptr<Device>> also;   // further ones that --device names
   std::string told;                    // of the scene's warnings
   std::optional<FrameOfMany> frames;   // none: a single picture
+  bool was_there = false;              // of the last picture: nothing was to be rendered
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
@@ -32,7 +33,7 @@ std::vector<std::string> outputs_of(const RenderCommand& command);
 // Where finished tiles lie: beside the first picture.
 std::string journal_path(const std::string& output);
 
-// The exit code. An interrupted picture is written as far as it goes; a frame or a part of a picture is not, its tiles are kept.
+// The exit code. With --continue, pictures that are there and are those that would be made are left (was_there). An interrupted picture is written as far as it goes; a frame or a part of a picture is not, its tiles are kept.
 int render_picture(const RenderCommand& command, RenderTools& tools);
 
 }  // namespace nicol::app

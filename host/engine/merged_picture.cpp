@@ -81,6 +81,8 @@ MergedPicture merge_parts(const std::vector<std::string>& paths, bool incomplete
   if (!merged.missing.empty() && !incomplete) return merged;
   merged.frame = merger.take();
   for (auto& note : joined_notes(merger, command_line, merged.frame)) merged.frame.how.push_back(std::move(note));
+  if (merged.missing.empty())
+    for (auto& note : notes_of_whole(merger.parts().front().whole)) merged.frame.how.push_back(std::move(note));
   return merged;
 }
 

@@ -39,6 +39,7 @@ class Making {
     else device = open_wanted_device(wanted_.device);
     options_.kernel = kernel_options(wanted_.device);
     options_.cancel = hooks_.cancel ? hooks_.cancel : &never_;
+    whole_ = whole_picture(*scene, wanted_);
     choose(scene, *device);
     if (wanted_.wants_error_bound()) scene->features.mask |= path_signatures_bit();
     prepare(*scene, *device);
@@ -46,7 +47,8 @@ class Making {
     tell_notes(*scene);
     if (picture_.report.interrupted) return std::move(picture_);
     look_into_errors(*scene, *device);
-    if (!picture_.share.whole()) make_part_of(*scene, *device);
+    if (!picture_.share.whole()) make_part_of(*device);
+    else for (auto& note : notes_of_whole(whole_)) picture_.frame.how.push_back(std::move(note));
     return std::move(picture_);
   }
 
@@ -161,7 +163,7 @@ class Making {
   }
 
   // A part: of full size, and with what it belongs to.
-  void make_part_of(const LoadedScene& loaded, const Device& device) {
+  void make_part_of(const Device& device) {
     const int width = wanted_.options.width, height = wanted_.options.height;
     const std::vector<std::int32_t>& pixels = picture_.share.pixels;
     std::vector<float> wanted(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), pixels.empty() ? 1.0f : 0.0f);
@@ -175,7 +177,7 @@ class Making {
     }
     const RenderReport& report = picture_.report;
     PartNote part;
-    part.whole = whole_picture(loaded, wanted_);
+    part.whole = whole_;
     part.name = picture_.share.name;
     part.device = fmt::format("{} ({}, {} lanes)", report.device, info(device).driver, report.lanes);
     part.seconds = report.seconds;
@@ -196,6 +198,7 @@ class Making {
 
 }  // namespace
 
+  WholePicture whole_;                         // as the scene and the options ask for it
 std::size_t Picture::rows_done() const {
   return static_cast<std::size_t>(
       std::count_if(frame.row_done.begin(), frame.row_done.end(), [](unsigned char done) { return done != 0; }));

@@ -193,6 +193,8 @@ WholePicture whole_picture(const LoadedScene& loaded, const PictureOptions& comm
                     {"adc_bailout", fmt::format("{:.17g}", settings.adc_bailout)},
                     {"polarization", settings.polarization ? "on" : "off"},
                     {"coherence", settings.coherence ? "on" : "off"}};
+  if (settings.error > 0) whole.settings["error"] = fmt::format("{:.17g}", settings.error);
+  if (settings.sample_error > 0) whole.settings["sample_error"] = fmt::format("{:.17g}", settings.sample_error);
   return whole;
 }
 

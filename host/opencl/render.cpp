@@ -113,6 +113,12 @@ std::string scene_hash(const PackedScene& scene, const std::vector<double>& lamb
   put(data, scene.tables);
   put(data, scene.mixing);
   put(data, lambda_nm);
+  if (!scene.fragments) return hash_text(data);
+  for (const SceneFragments::Use& use : scene.fragments->uses) {
+    put(data, use.fragment->name);
+    put(data, use.fragment->text);
+    for (const std::string& name : use.fragment->parameters) put(data, name);
+  }
   return hash_text(data);
 }
 

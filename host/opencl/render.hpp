@@ -116,7 +116,8 @@ std::uint32_t path_signatures_bit();
 std::string render_identity(const Device& device, const PackedScene& scene, const std::vector<double>& lambda_nm,
                             const RenderOptions& options);
 
-// The same for a picture whatever device renders it: of a scene (packed for one lane) and its wavelengths, and of the kernels' text.
+// The same for a picture whatever device renders it: of a scene (packed for one lane) with its fragments and its wavelengths, and
+// of the kernels' text.
 std::string scene_hash(const PackedScene& scene, const std::vector<double>& lambda_nm);
 std::string kernels_hash();
 

@@ -56,6 +56,8 @@ ExrSource::ExrSource(const std::string& path) : path_(path) {
 
 ExrSource::~ExrSource() = default;
 
+bool ExrSource::whole() const { return file_->input.isComplete(); }
+
 bool ExrSource::has_channel(const std::string& name) const {
   return file_->input.header().channels().findChannel(name) != nullptr;
 }

@@ -16,6 +16,7 @@ class ExrSource {
   const std::string& path() const { return path_; }
   int width() const { return width_; }
   int height() const { return height_; }
+  bool whole() const;  // no rows are missing
   bool has_channel(const std::string& name) const;
   // The notes of the header, by the key they were written under.
   const std::map<std::string, std::string>& notes() const { return notes_; }

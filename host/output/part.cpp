@@ -78,15 +78,8 @@ std::string difference(const WholePicture& one, const WholePicture& two) {
   return "";
 }
 
-Notes notes_of_part(const PartNote& part) {
-  const WholePicture& whole = part.whole;
-  Notes notes{{"part", part.name},
-              {"part.format", format},
-              {"part.checksum", part.checksum},
-              {"part.device", part.device},
-              {"part.seconds", number_text(part.seconds)},
-              {"part.counted", list_text(part.counted)},
-              {"whole.size", fmt::format("{} {}", whole.width, whole.height)},
+Notes notes_of_whole(const WholePicture& whole) {
+  Notes notes{{"whole.size", fmt::format("{} {}", whole.width, whole.height)},
               {"whole.lambda", list_text(whole.lambda_nm)},
               {"whole.weight", list_text(whole.weight_nm)},
               {"whole.channels", whole.shared_channels ? "shared" : "wavelengths"},
@@ -95,19 +88,20 @@ Notes notes_of_part(const PartNote& part) {
   return notes;
 }
 
-PartNote read_part_note(const std::string& path, const std::map<std::string, std::string>& notes) {
-  if (notes.count("part.format") == 0)
-    cannot_read(path, "it is not a part of a picture (as --part, --wavelengths A..B or +SR +ER +SC +EC make them)");
+Notes notes_of_part(const PartNote& part) {
+  Notes notes{{"part", part.name},
+              {"part.format", format},
+              {"part.checksum", part.checksum},
+              {"part.device", part.device},
+              {"part.seconds", number_text(part.seconds)},
+              {"part.counted", list_text(part.counted)}};
+  for (auto& note : notes_of_whole(part.whole)) notes.push_back(std::move(note));
+  return notes;
+}
+
+WholePicture read_whole_note(const std::string& path, const std::map<std::string, std::string>& notes) {
   const NoteReader read(path, notes);
-  if (read.text("part.format") != format) cannot_read(path, "it is a part as another version of nicol makes them");
-  PartNote part;
-  WholePicture& whole = part.whole;
-  part.name = read.text("part");
-  part.checksum = read.text("part.checksum");
-  part.device = read.text("part.device");
-  part.seconds = read.numbers("part.seconds").front();
-  for (const double count : read.numbers("part.counted"))
-    part.counted.push_back(count > 0 && count < 1e18 ? static_cast<std::uint64_t>(count) : 0);
+  WholePicture whole;
   const std::vector<double> size = read.numbers("whole.size");
   whole.lambda_nm = read.numbers("whole.lambda");
   whole.weight_nm = read.numbers("whole.weight");
@@ -123,6 +117,22 @@ PartNote read_part_note(const std::string& path, const std::map<std::string, std
   whole.height = static_cast<int>(size[1]);
   for (const auto& [key, value] : notes)
     if (key.rfind(settings_prefix, 0) == 0) whole.settings[key.substr(settings_prefix.size())] = value;
+  return whole;
+}
+
+PartNote read_part_note(const std::string& path, const std::map<std::string, std::string>& notes) {
+  if (notes.count("part.format") == 0)
+    cannot_read(path, "it is not a part of a picture (as --part, --wavelengths A..B or +SR +ER +SC +EC make them)");
+  const NoteReader read(path, notes);
+  if (read.text("part.format") != format) cannot_read(path, "it is a part as another version of nicol makes them");
+  PartNote part;
+  part.name = read.text("part");
+  part.checksum = read.text("part.checksum");
+  part.device = read.text("part.device");
+  part.seconds = read.numbers("part.seconds").front();
+  for (const double count : read.numbers("part.counted"))
+    part.counted.push_back(count > 0 && count < 1e18 ? static_cast<std::uint64_t>(count) : 0);
+  part.whole = read_whole_note(path, notes);
   return part;
 }
 

@@ -38,6 +38,12 @@ struct PartNote {
 
 Notes notes_of_part(const PartNote& part);
 
+// Which picture it is: for the header of a whole one, and among the notes of a part.
+Notes notes_of_whole(const WholePicture& whole);
+
+// From the notes of a file. Throws InputError where they are not there, or damaged.
+WholePicture read_whole_note(const std::string& path, const std::map<std::string, std::string>& notes);
+
 // From the notes of a file. Throws InputError where the file is no part of a picture.
 PartNote read_part_note(const std::string& path, const std::map<std::string, std::string>& notes);
 

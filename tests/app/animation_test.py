@@ -79,6 +79,63 @@ class Animation(Runs):
             self.assert_same(f"a{number}.exr", f"whole/a{number}.exr")
         self.assertEqual(self.files(), ["a1.exr", "a2.exr", "a3.exr", "whole"])
 
+    def test_frames_of_another_picture_are_rendered_anew(self):
+        def go_on(*more):
+            size = [] if "+W41" in more else ["+W40"]
+            return self.done("render", f"+I{SCENE}", "+H30", *size, "+Oa.exr", "+KFF2", "--continue", *more)
+
+        self.assertIn("2 frames rendered", go_on())
+        told = go_on()
+        self.assertIn("0 frames rendered", told)
+        self.assertIn("2 were there", told)
+        for more, why in ((["+W41"], "the sizes differ (40x30, 41x30)"), (["--samples", 2], "samples"), (["+KF3"], "the scenes differ"),
+                          (["--max-trace-level", 3], "max_trace_level"), (["--real", "double"], "precision")):
+            with self.subTest(why=why):
+                told = go_on(*more)
+                self.assertIn("a2.exr is another picture", told)
+                self.assertIn(why, told)
+                self.assertIn("1 were there" if "+KF3" in more else "2 frames rendered", told)
+                self.assertIn("2 were there", go_on(*more))
+                go_on()
+        self.done("render", *SMALL, "+Owhole.exr", "+KFF2")
+        self.assert_same("a2.exr", "whole2.exr")
+
+    def test_frames_that_do_not_say_what_they_are_are_rendered_anew(self):
+        frames = [self.folder / "a1.png", self.folder / "a2.png"]
+
+        def go_on():
+            return self.done("render", *SMALL, "+Oa.png", "+KFF2", "--continue")
+
+        go_on()
+        right = frames[1].read_bytes()
+        header = right[:33]  # signature and IHDR
+        pixels = right[right.index(b"IDAT") - 4 :]
+        for wrong, why in ((header + pixels, "does not say"), (right[:-20], "no whole PNG"), (b"GIF89a", "no whole PNG")):
+            frames[1].write_bytes(wrong)
+            told = go_on()
+            self.assertIn("1 frames rendered", told)
+            self.assertIn("a2.png is another picture", told)
+            self.assertIn(why, told)
+        self.assertIn("2 were there", go_on())
+
+    def test_a_picture_that_is_there_is_left(self):
+        scene = self.folder / "grids.pov"
+        plugins = SCENE.parents[2] / "scenes" / "plugins"
+        scene.write_bytes((plugins / "wire_grid" / "three_grids.pov").read_bytes())
+        for name in ("wire_grid.cl", "wire_grid.json"):
+            (self.folder / name).write_bytes((plugins / "wire_grid" / name).read_bytes())
+        command = ["render", scene, "+W24", "+H16", "-L", self.folder, "--no-budget", "-o", "a.exr", "-o", "a.png", "--continue"]
+        self.done(*command)
+        before = (self.folder / "a.exr").stat().st_mtime_ns
+        self.assertEqual(self.done(*command), "a.exr is there already\n")
+        self.assertEqual((self.folder / "a.exr").stat().st_mtime_ns, before)
+        (self.folder / "a.png").unlink()
+        self.assertNotIn("is there already", self.done(*command))
+        with (self.folder / "wire_grid.cl").open("a") as fragment:
+            fragment.write("// other words\n")
+        self.assertIn("a.exr is another picture (the scenes differ", self.done(*command))
+        self.assertIn("is there already", self.done(*command))
+
     def test_interrupted_keeps_whole_frames_only(self):
         process = self.start(*SMALL, "--declare", "Samples=60000", "+Oa.exr", "+KFF99")
         deadline = time.monotonic() + PATIENCE_S

@@ -17,7 +17,7 @@ LIBRARIES = [
     ("CGAL or GMP", r"(CGAL/|gmp|mpfr)", ["host/solids/"]),
     ("OpenEXR", r"(OpenEXR/|Imath/|Imf|Imath|Iex|half\.h)", ["host/output/exr_sink.cpp", "host/output/exr_source.cpp", "host/output/exr_threads.hpp"]),
     ("zlib", r"zlib\.h", ["host/output/journal.cpp"]),
-    ("libpng", r"(libpng\d*/|png\.h)", ["host/output/png_sink.cpp"]),
+    ("libpng", r"(libpng\d*/|png\.h)", ["host/output/png_sink.cpp", "host/output/png_source.cpp"]),
     ("a window library", r"(GLFW/|imgui|epoxy/|GL/|EGL/)", ["host/window/"]),
     ("OpenCL", r"(CL/|OpenCL/)", ["host/opencl/"]),
     ("CLI11", r"CLI/", ["host/app/main.cpp"]),
