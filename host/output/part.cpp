@@ -122,7 +122,7 @@ WholePicture read_whole_note(const std::string& path, const std::map<std::string
 
 PartNote read_part_note(const std::string& path, const std::map<std::string, std::string>& notes) {
   if (notes.count("part.format") == 0)
-    cannot_read(path, "it is not a part of a picture (as --part, --wavelengths A..B or +SR +ER +SC +EC make them)");
+    cannot_read(path, "it is not a part of a picture (a share i/n, a window, some of the wavelengths)");
   const NoteReader read(path, notes);
   if (read.text("part.format") != format) cannot_read(path, "it is a part as another version of nicol makes them");
   PartNote part;
