@@ -52,6 +52,17 @@ class Array(Runs):
                                   f"{self.nicol_path} merge {out}.*.exr -o {self.folder}/merged.exr")
         wait_for(lambda: self.slurm.state(merge) == "COMPLETED", "the merged picture", details)
         self.assert_same("merged.exr", "whole.exr")
+        # The same array again leaves what is there; with another option it does not take old parts for new ones.
+        there = [(self.folder / f"out.{i}.exr").stat().st_mtime_ns for i in (1, 2, 3)]
+        again = self.slurm.submit("--array=1-3", "-n", 1, f"--output={self.folder}/%A_%a.log", ARRAY, SCENE, out, *SIZE, NICOL=self.nicol_path)
+        wait_for(lambda: set(self.slurm.state(again).split()) == {"COMPLETED"}, "the array that has nothing to do", details)
+        self.assertEqual([(self.folder / f"out.{i}.exr").stat().st_mtime_ns for i in (1, 2, 3)], there)
+        few = ["1" if option == "24" else option for option in SIZE]
+        other = self.slurm.submit("--array=1-3", "-n", 1, f"--output={self.folder}/%A_%a.log", ARRAY, SCENE, out, *few, NICOL=self.nicol_path)
+        wait_for(lambda: set(self.slurm.state(other).split()) == {"COMPLETED"}, "the array of another picture", details)
+        self.done("render", SCENE, *few, "-o", "whole.exr", "--no-budget")
+        self.done("merge", *(f"out.{i}.exr" for i in (1, 2, 3)), "-o", "merged.exr")
+        self.assert_same("merged.exr", "whole.exr")
 
 
 if __name__ == "__main__":
