@@ -81,16 +81,20 @@ class Check {
     }
   }
 
-  // The compiler's lines about the fragment's own text; everything if there is none.
+  // The compiler's lines about the fragment's own text, else about the call of its function; everything if there is neither.
   std::string own_messages(const std::string& log) const {
     std::istringstream lines(log);
-    std::string line, own;
+    std::string line, own, call;
     while (std::getline(lines, line)) {
       const std::size_t at = line.find(fragment_.file + ":");
       if (at != std::string::npos) own += line.substr(at) + "\n";
+      const std::size_t called = line.find("scene_fragments.h:"), words = line.find(": ", std::min(called, line.size()));
+      if (words != std::string::npos && call.empty())
+        call = fmt::format("{}: its function '{}' is not of the form that kernels/fragment.h asks for: {}", fragment_.file, fragment_.name,
+                           line.substr(words + 2));
     }
     if (!own.empty()) own.pop_back();
-    return own.empty() ? log : own;
+    return !own.empty() ? own : !call.empty() ? call : log;
   }
 
   // `Answers` complex numbers for each problem.

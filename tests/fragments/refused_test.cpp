@@ -28,6 +28,16 @@ TEST_CASE("OpenCL C that does not build is told at its own file and line") {
   CHECK(has(told, "no_such_thing"));
 }
 
+TEST_CASE("a function that cannot be called as it must be is the fragment's fault, not the driver's") {
+  const std::string file = new_folder("brief") + "/brief";
+  write(file + ".json", "{ \"name\": \"brief\", \"version\": \"1\", \"nicol\": 1, \"kind\": \"element\", \"meaning\": \"m\" }");
+  write(file + ".cl", "FUNCTION void brief_of(void) {}\nFUNCTION void brief(PRIVATE const ElementIn* in) {}\n");
+  const std::string told = refusal(sheet("\"brief\""));
+  CAPTURE(told);
+  CHECK(has(told, "brief.cl: its function 'brief' is not of the form that kernels/fragment.h asks for: "));
+  CHECK(!has(told, "driver"));
+}
+
 TEST_CASE("a gain is refused with its size") {
   const std::string told = refusal(sheet("\"gain\" factor 1.016"));
   CAPTURE(told);
