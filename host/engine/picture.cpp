@@ -101,7 +101,15 @@ class Making {
     picture_.journal = Journal::open(wanted_.journal, render_identity(device, packed_, lambda_nm_, options_), wanted_.resume, told);
     options_.journal = picture_.journal.get();
     options_.journal_after_seconds = wanted_.keep_after_s;
-    note(told);
+    if (picture_.journal->note().empty()) note(told);
+    tell_obstacle();
+  }
+
+  // Once, why no tiles are kept.
+  void tell_obstacle() {
+    const std::string obstacle = picture_.journal->note();
+    if (hooks_.message && obstacle != told_obstacle_) hooks_.message(Severity::warning, obstacle);
+    told_obstacle_ = obstacle;
   }
 
   // Of a frame that is a row of the pixels rendered, back to the picture.
@@ -137,9 +145,9 @@ class Making {
     picture_.journal_used = picture_.journal && picture_.report.seconds > options_.journal_after_seconds;
     picture_.frame.exposure = loaded.scene.settings.exposure;
     if (!picture_.journal) return;
-    if (wanted_.resume && wanted_.tell_resumed)
+    if (wanted_.resume && wanted_.tell_resumed && told_obstacle_.empty())
       note(fmt::format("{} tiles were there, {} were rendered", picture_.report.tiles_found, picture_.report.tiles));
-    note(picture_.journal->note());
+    tell_obstacle();
   }
 
   void tell_notes(const LoadedScene& loaded) {
@@ -190,15 +198,16 @@ class Making {
   const PictureHooks& hooks_;
   const std::atomic<bool> never_{false};
   RenderOptions options_;
+  WholePicture whole_;                         // as the scene and the options ask for it
   PictureShare rendered_;                      // what is wanted, and what lanes hold beside that
   PackedScene packed_;
   std::vector<double> lambda_nm_, weight_nm_;  // that are rendered
+  std::string told_obstacle_;
   Picture picture_;
 };
 
 }  // namespace
 
-  WholePicture whole_;                         // as the scene and the options ask for it
 std::size_t Picture::rows_done() const {
   return static_cast<std::size_t>(
       std::count_if(frame.row_done.begin(), frame.row_done.end(), [](unsigned char done) { return done != 0; }));

@@ -194,6 +194,19 @@ TEST_CASE("parts and windows are those of the whole; parts merge to it") {
   CHECK(wrong == 0);
 }
 
+TEST_CASE("a journal that cannot be written is told once, as a warning") {
+  std::vector<std::string> notes, warnings;
+  nicol::ContextOptions logged;
+  logged.log = [&](nicol_severity severity, std::string_view text) { (severity == NICOL_WARNING ? warnings : notes).emplace_back(text); };
+  nicol::RenderOptions options;
+  options.journal = "/no/such/folder/journal";
+  options.resume = true;
+  CHECK(!cube_scene(nicol::Context(logged)).render(options).cancelled());
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find(options.journal) != std::string::npos);
+  for (const std::string& note : notes) CHECK_MESSAGE(note.find("tiles") == std::string::npos, note);
+}
+
 TEST_CASE("error budget and error bound, when asked for; a window that leaves nothing out is the whole picture") {
   const nicol::Scene scene = cube_scene(context());
   nicol::RenderOptions options;
