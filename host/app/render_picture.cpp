@@ -72,8 +72,11 @@ Picture make_with_bar(const RenderCommand& command, const std::vector<Target>& t
   try {
     return make_picture(loaded, options_of(command, targets, resume), tools.device, hooks);
   } catch (const RenderFailure& error) {
+    const std::string kept = journal_path(targets.front().path);
+    std::error_code failed;
+    if (!std::filesystem::exists(kept, failed)) throw;
     throw DeviceError(fmt::format("{}\nWhat was finished after the first seconds is kept in {}: --continue goes on from there",
-                                  error.what(), journal_path(targets.front().path)));
+                                  error.what(), kept));
   }
 }
 
@@ -150,10 +153,6 @@ int render_picture(const RenderCommand& command, RenderTools& tools) {
   auto loaded = load_and_tell(command.scene, command.options, Expectations::where_they_apply, &tools.told);
   if (!loaded) return exit_error;
   const bool one_of_many = tools.frames.has_value();
-  if (picture.report.interrupted) return finish_interrupted(targets, picture, one_of_many);
-  const int code = write_all(targets, picture.frame);
-  if (code == exit_done) picture.journal->remove();  // else --continue writes the picture without rendering it again
-  if (!command.error_map.empty()) make_sink(command.error_map)->write(error_bound(picture));
   const Found found = command.resume ? find_what_is_there(command, outputs_of(command), *loaded) : Found{};
   tools.was_there = found.picture;
   if (found.picture && !one_of_many && !command.quiet) fmt::print(stderr, "{} is there already\n", targets.front().path);
@@ -161,6 +160,10 @@ int render_picture(const RenderCommand& command, RenderTools& tools) {
   open_wanted(command, tools);
   const bool resume = found.tiles || (command.resume && !one_of_many && !found.another);
   const Picture picture = make_with_bar(command, targets, resume, loaded, tools);
+  if (picture.report.interrupted) return finish_interrupted(targets, picture, one_of_many);
+  const int code = write_all(targets, picture.frame);
+  if (code == exit_done) picture.journal->remove();  // else --continue writes the picture without rendering it again
+  if (!command.error_map.empty()) make_sink(command.error_map)->write(error_bound(picture));
   if (!command.quiet) {
     tell(targets, picture, one_of_many);
     if (!command.no_budget && picture.share.whole()) fmt::print(stderr, "{}", budget_text(picture.budget));
