@@ -95,7 +95,7 @@ std::vector<std::pair<std::string, std::string>> how_made(const LoadedScene& loa
           {"cutOff",
            fmt::format("mean {:.3g}, worst {:.3g}", report.cut_off_mean, report.cut_off_worst)},
           {"counters", counters_text(report)}};
-  if (report.shares.size() > 1) notes.emplace_back("shared", shares_text(report));
+  if (report.shares.size() > 1 && !report.interrupted) notes.emplace_back("shared", shares_text(report));
   if (clock.final_frame > 0)
     notes.emplace_back("frame", fmt::format("{} of {} to {}, clock {:g}", clock.frame_number, clock.initial_frame, clock.final_frame,
                                             clock.clock));

@@ -68,10 +68,11 @@ struct RenderOptions {
   const std::atomic<bool>* cancel = nullptr;      // set by Ctrl-C: stops after the tiles in flight
 };
 
-// What a device, or another process with its own, has done of a render.
+// What a device, or another process with its own, has done of what is in the picture; interrupted, of what is kept in
+// the journal, too.
 struct DeviceShare {
   std::string device, place;      // place: "rank 3 on node7"; "": this process
-  int tiles = 0;                  // launched
+  int tiles = 0;                  // traced: not found in the journal, nor lost and done again
   std::uint64_t segments = 0;     // lane-segments
 };
 

@@ -33,6 +33,7 @@ class Renderer {
     Tile tile;                                     // all samples of the units
     int samples_done = 0;
     std::array<std::uint64_t, COUNTERS> counted{}; // of these samples
+    DeviceShare traced;                            // of these: not found in the journal
   };
 
   // An executor and what it has to do.
@@ -57,6 +58,7 @@ class Renderer {
   bool feed(Worker& worker);
   bool next_tile(Worker& worker);
   std::int64_t alike_in_journal(const Tile& tile) const;
+  static std::deque<Range>::iterator range_of(Worker& worker, const Tile& tile);
   void collect(Worker& worker);
   bool take_from_journal(Worker& worker, const Tile& tile);
   void keep_in_journal(const TracedTile& traced);

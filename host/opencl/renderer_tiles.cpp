@@ -105,6 +105,11 @@ bool Renderer::feed(Worker& worker) {
   return fed;
 }
 
+std::deque<Renderer::Range>::iterator Renderer::range_of(Worker& worker, const Tile& tile) {
+  return std::find_if(worker.ranges.begin(), worker.ranges.end(),
+                      [&](const Range& range) { return range.tile.first_unit == tile.first_unit; });
+}
+
 void Renderer::collect(Worker& worker) {
   const TracedTile traced = worker.executor->collect();
   const Clock::time_point since = std::max(worker.last_collected, worker.submitted.front());
@@ -112,9 +117,10 @@ void Renderer::collect(Worker& worker) {
   worker.schedule->took(traced.tile, traced.seconds > 0 ? traced.seconds : seconds_since(since));
   worker.last_collected = Clock::now();
   if (report_.tiles++ == 0) report_.seconds_to_first_tile = seconds_since(start_);
-  DeviceShare& share = report_.shares[worker.share];
-  ++share.tiles;
-  share.segments += traced.counted[COUNT_SEGMENTS];
+  for (DeviceShare* share : {&range_of(worker, traced.tile)->traced, &report_.shares[worker.share]}) {
+    ++share->tiles;
+    share->segments += traced.counted[COUNT_SEGMENTS];
+  }
   keep_in_journal(traced);
   gathered(worker, traced.tile, traced.sums, traced.counted);
   worker.executor->release();
@@ -126,8 +132,7 @@ void Renderer::gathered(Worker& worker, const Tile& tile, const void* sums, cons
     gather_.add(tile, static_cast<const double*>(sums));
   else
     gather_.add(tile, static_cast<const float*>(sums));
-  const auto range_at = std::find_if(worker.ranges.begin(), worker.ranges.end(),
-                                     [&](const Range& r) { return r.tile.first_unit == tile.first_unit; });
+  const auto range_at = range_of(worker, tile);
   Range& range = *range_at;
   range.samples_done = tile.sample_end;
   unit_samples_done_ += static_cast<double>(tile.unit_count) * (tile.sample_end - tile.sample_begin);
@@ -185,13 +190,17 @@ void Renderer::tell_progress() {
   options_.progress(now);
 }
 
-// What is in flight is lost, and all units that it has in work will be dealt again.
+// What is in flight is lost, and all units that it has in work will be dealt again: nobody's share holds them twice. After cancelling
+// they stay in its share, being kept in the journal.
 void Renderer::give_back(Worker& worker) {
   worker.executor->drop();
   for (const Range& range : worker.ranges) {
     gather_.forget(range.tile.first_unit);
     unit_samples_done_ -= static_cast<double>(range.tile.unit_count) * range.samples_done;
     pool_->give_back(range.tile.first_unit, range.tile.unit_count);
+    if (cancelled()) continue;
+    report_.shares[worker.share].tiles -= range.traced.tiles;
+    report_.shares[worker.share].segments -= range.traced.segments;
   }
   worker.ranges.clear();
   worker.submitted.clear();
