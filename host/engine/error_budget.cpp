@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "host/accuracy/picture_error.hpp"
+#include "host/engine/render_summary.hpp"
 #include "host/engine/spot_check.hpp"
 
 namespace nicol::engine {
@@ -130,9 +131,11 @@ class Budget {
       line.rms = report_.sample_error;
       line.seconds = report_.seconds - (report_.passes > 1 ? report_.seconds_first_pass : 0);
       line.detail = report_.passes > 1
-                        ? fmt::format("{:.3g} samples a pixel, {} in the first pass, more where faces or waves change",
-                                      report_.samples_mean, options_.samples)
-                        : fmt::format("{:g} samples a pixel: half the difference of their halves", report_.samples_mean);
+                        ? fmt::format("{}, {} in the first pass, more where faces or waves change", samples_text(report_.samples_mean),
+                                      options_.samples)
+                        : fmt::format("{}: {}", samples_text(report_.samples_mean),
+                                      frame_.samples.empty() ? "half the difference of their halves"
+                                                             : "from each pixel's spread and its neighbours");
     } else if (!stopped()) {
       const int few = std::min(check_.pixels(), std::max(least_pixels, frame_.width * frame_.height / pixels_per_check));
       const SpotCheck fewer(loaded_.scene, loaded_.geometry, loaded_.features.mask, frame_.width, frame_.height, device_,
@@ -144,8 +147,7 @@ class Budget {
       line.seconds = same.report.seconds + picture.report.seconds;
       budget_.seconds += line.seconds;
       line.rms = off(same, picture);
-      line.detail = fmt::format("{:g} sample{} a pixel against {}, on {} pixels", report_.samples_mean,
-                                report_.samples_mean > 1 ? "s" : "", fine_samples, fewer.pixels());
+      line.detail = fmt::format("{} against {}, on {} pixels", samples_text(report_.samples_mean), fine_samples, fewer.pixels());
     }
     line.price = "half of it: 2.5 x the samples where edges are";
     return line;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 
 namespace nicol::engine {
@@ -41,12 +42,17 @@ std::string shares_text(const RenderReport& report) {
 
 const char* version() { return NICOL_VERSION; }
 
+std::string samples_text(double mean) {
+  const std::string number = mean >= 100 || mean == std::round(mean) ? fmt::format("{:.0f}", mean) : fmt::format("{:.3g}", mean);
+  return number + (number == "1" ? " sample a pixel" : " samples a pixel");
+}
+
 std::string summary_text(const Frame& frame, const RenderReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}x{} pixels, {} wavelength{} {:g} to {:g} nm, {:.3g} sample{} a pixel{}\n",
+  fmt::format_to(out, "{}x{} pixels, {} wavelength{} {:g} to {:g} nm, {}{}\n",
                  frame.width, frame.height, frame.lambda_nm.size(), frame.lambda_nm.size() == 1 ? "" : "s",
-                 frame.lambda_nm.front(), frame.lambda_nm.back(), report.samples_mean, report.samples_mean == 1 ? "" : "s",
+                 frame.lambda_nm.front(), frame.lambda_nm.back(), samples_text(report.samples_mean),
                  report.passes > 1 ? fmt::format(" on average, in {} passes", report.passes) : "");
   fmt::format_to(out, "{:.2f} s, {:.1f} M segments/s on {}, {} lane{} of {}; {}\n", report.seconds,
                  segments_per_second(report) / 1e6, report.device, report.lanes,

@@ -10,6 +10,9 @@
 
 namespace nicol::engine {
 
+// "1 sample a pixel", "2.37 samples a pixel"
+std::string samples_text(double mean);
+
 std::string summary_text(const Frame& frame, const RenderReport& report);
 
 // One line for each counter that is not 0, saying what it means; none if all is well.
