@@ -61,8 +61,12 @@ void take_names(const nicol_scene_options& wanted, const nicol_context& context,
     options.declares.push_back(name + "=" + exact(wanted.declare_values[i]));
   }
   require(wanted.wavelength_count == 0 || wanted.wavelengths_nm, "wavelengths_nm is NULL");
-  for (size_t i = 0; i < wanted.wavelength_count; ++i)
-    options.wavelengths += (i > 0 ? "," : "") + exact(wanted.wavelengths_nm[i]);
+  for (size_t i = 0; i < wanted.wavelength_count; ++i) {
+    const double nm = wanted.wavelengths_nm[i];
+    require(nm >= engine::least_wavelength_nm && nm <= engine::most_wavelength_nm,
+            fmt::format("wavelengths_nm: {:g} to {:.0f}, not {:g}", engine::least_wavelength_nm, engine::most_wavelength_nm, nm));
+    options.wavelengths += (i > 0 ? "," : "") + exact(nm);
+  }
 }
 
 void take_clock(const nicol_scene_options& wanted, engine::FrameClock& clock) {
@@ -70,6 +74,8 @@ void take_clock(const nicol_scene_options& wanted, engine::FrameClock& clock) {
     require(std::isfinite(value), "a clock is no number");
   require(0 <= wanted.initial_frame && wanted.initial_frame <= wanted.final_frame,
           fmt::format("there are no frames {} to {}", wanted.initial_frame, wanted.final_frame));
+  require(wanted.initial_frame <= wanted.frame_number && wanted.frame_number <= wanted.final_frame,
+          fmt::format("frame_number {} is none of the frames {} to {}", wanted.frame_number, wanted.initial_frame, wanted.final_frame));
   clock.frame_number = wanted.frame_number;
   clock.initial_frame = wanted.initial_frame;
   clock.final_frame = wanted.final_frame;

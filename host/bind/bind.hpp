@@ -34,4 +34,7 @@ Scene bind(const sdl::Document& document, const BindOptions& options,
 // Every block and word that bind understands, as Markdown tables.
 std::string vocabulary();
 
+// The language, or bind, gives it a meaning: a scene that declares it could not use it any more.
+bool is_word(const std::string& text);
+
 }  // namespace nicol

@@ -1,6 +1,9 @@
 // The tables of the language, printed from the very rules that read it.
+#include <algorithm>
+
 #include "host/bind/bind.hpp"
 #include "host/bind/crystal.hpp"
+#include "sdl/symbols.hpp"
 
 namespace nicol {
 
@@ -71,9 +74,9 @@ void print(std::string& out, const Schema& schema) {
   }
 }
 
-}  // namespace
-
-std::string vocabulary() {
+// visit(schema) for each block.
+template <class Visit>
+void each_schema(const Visit& visit) {
   Scene scene;
   const BindOptions options;
   const sdl::Sources sources;
@@ -92,31 +95,47 @@ std::string vocabulary() {
   RawGyration gyration;
   RawOpticFrame optic_frame;
   std::vector<double> lambda_nm;
-  std::string out;
-  print(out, settings_schema(context, settings));
-  print(out, wavelengths_schema(context, lambda_nm));
-  print(out, camera_schema(context, camera));
-  print(out, polarizer_schema(context, polarizer));
-  print(out, luminous_schema(context, luminous));
+  visit(settings_schema(context, settings));
+  visit(wavelengths_schema(context, lambda_nm));
+  visit(camera_schema(context, camera));
+  visit(polarizer_schema(context, polarizer));
+  visit(luminous_schema(context, luminous));
   RawSurface surface;
-  print(out, surface_schema(context, surface));
-  print(out, spectrum_schema(context, spectrum));
-  print(out, interior_schema(context, medium));
-  print(out, index_schema(context, "index", index));
-  print(out, rotation_schema(context, rotation));
-  print(out, absorption_schema(context, "absorption", absorption));
-  print(out, gyration_schema(context, gyration));
-  print(out, optic_frame_schema(context, optic_frame));
+  visit(surface_schema(context, surface));
+  visit(spectrum_schema(context, spectrum));
+  visit(interior_schema(context, medium));
+  visit(index_schema(context, "index", index));
+  visit(rotation_schema(context, rotation));
+  visit(absorption_schema(context, "absorption", absorption));
+  visit(gyration_schema(context, gyration));
+  visit(optic_frame_schema(context, optic_frame));
   for (const std::string& kind : object_names()) {
     RawObject object;
-    print(out, object_schema(context, kind.c_str(), object));
+    visit(object_schema(context, kind.c_str(), object));
   }
   RawTwin twin;
-  print(out, twin_schema(context, twin));
+  visit(twin_schema(context, twin));
   RawGem::Tier tier;
-  print(out, gem_facet_schema(context, tier));
-  print(out, expect_schema(context, expectation));
+  visit(gem_facet_schema(context, tier));
+  visit(expect_schema(context, expectation));
+}
+
+}  // namespace
+
+std::string vocabulary() {
+  std::string out;
+  each_schema([&](const Schema& schema) { print(out, schema); });
   return out;
+}
+
+bool is_word(const std::string& text) {
+  sdl::Symbols symbols;
+  bool found = symbols.intern(text) < static_cast<sdl::Symbol>(sdl::Keyword::count);
+  each_schema([&](const Schema& schema) {
+    found = found || text == schema.block ||
+            std::any_of(schema.rules.begin(), schema.rules.end(), [&](const Rule& rule) { return text == rule.name; });
+  });
+  return found;
 }
 
 }  // namespace nicol

@@ -119,6 +119,8 @@ sdl::Options parse_options(const SceneOptions& options) {
     const std::size_t equals = declare.find('=');
     if (equals == 0 || equals == std::string::npos)
       throw UsageError(fmt::format("--declare takes name=value, not '{}'", declare));
+    if (is_word(declare.substr(0, equals)))
+      throw UsageError(fmt::format("'{}' is a word of the language: it cannot be declared", declare.substr(0, equals)));
     result.declares[declare.substr(0, equals)] =
         parse_number(std::string_view(declare).substr(equals + 1), declare);
   }
@@ -145,10 +147,22 @@ void drop_expectations(sdl::Document& document) {
   items.erase(std::remove_if(items.begin(), items.end(), expects), items.end());
 }
 
+namespace {
+
+void check_range(double nm, const std::string& text) {
+  if (nm >= least_wavelength_nm && nm <= most_wavelength_nm) return;
+  throw UsageError(fmt::format("wavelengths {}: {:g} nm is not between {:g} and {:.0f} nm", text, nm, least_wavelength_nm,
+                               most_wavelength_nm));
+}
+
+}  // namespace
+
 std::vector<double> parse_wavelengths(const std::string& text) {
   if (text.find(':') == std::string::npos) {
     std::vector<double> list = split_numbers(text, ',');
     std::sort(list.begin(), list.end());
+    check_range(list.front(), text);
+    check_range(list.back(), text);
     if (std::adjacent_find(list.begin(), list.end()) != list.end())
       throw UsageError(fmt::format("--wavelengths {}: a wavelength stands there twice", text));
     return list;
@@ -158,6 +172,8 @@ std::vector<double> parse_wavelengths(const std::string& text) {
   if (range.size() != 3 || !(range[2] > 0) || !(range[1] >= range[0]))
     throw UsageError(fmt::format(
         "--wavelengths takes from:to:step in nm (400:700:10) or a list, not '{}'", text));
+  check_range(range[0], text);
+  check_range(range[1], text);
   const double steps =
       std::floor((range[1] - range[0]) / range[2] + 1e-9);  // 1e-9: 0.1 is no binary number
   if (steps >= most)

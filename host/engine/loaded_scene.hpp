@@ -52,6 +52,9 @@ std::shared_ptr<Device> open_wanted_device(const DeviceOptions& options);
 // UsageError where the device lacks it.
 void check_precision(const Device& device, const DeviceOptions& options);
 
+// From soft X-rays to 1 mm: beyond, no light is followed along rays.
+inline constexpr double least_wavelength_nm = 1, most_wavelength_nm = 1e6;
+
 // from:to:step or a list with commas, nm, ascending.
 std::vector<double> parse_wavelengths(const std::string& text);
 

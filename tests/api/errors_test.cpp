@@ -111,6 +111,16 @@ TEST_CASE("numbers that make no sense are refused, with words") {
   CHECK(load([&](auto& o) { o.declare_count = 1, o.declare_names = &no_name, o.declare_values = &one; }) == NICOL_ERROR_ARGUMENT);
   CHECK(load([&](auto& o) { o.clock = nan; }) == NICOL_ERROR_ARGUMENT);
   CHECK(load([&](auto& o) { o.initial_frame = 9, o.final_frame = 3; }) == NICOL_ERROR_ARGUMENT);
+  CHECK(load([](auto& o) { o.frame_number = 5, o.final_frame = 3; }) == NICOL_ERROR_ARGUMENT);
+  CHECK(told("frame_number 5"));
+  CHECK(load([](auto& o) { o.frame_number = 1, o.initial_frame = 2, o.final_frame = 3; }) == NICOL_ERROR_ARGUMENT);
+  const char* word = "box";
+  CHECK(load([&](auto& o) { o.declare_count = 1, o.declare_names = &word, o.declare_values = &one; }) == NICOL_ERROR_ARGUMENT);
+  CHECK(told("'box' is a word of the language"));
+  for (const double nm : {-3.0, 0.0, 1e9, nan}) {
+    CHECK(load([&](auto& o) { o.wavelength_count = 1, o.wavelengths_nm = &nm; }) == NICOL_ERROR_ARGUMENT);
+    CHECK(told("wavelengths_nm"));
+  }
   CHECK(load([&](auto& o) { o.wavelength_count = 2, o.wavelengths_nm = twice; }) == NICOL_ERROR_ARGUMENT);
   CHECK(scene == nullptr);
   REQUIRE(nicol_render(with.scene, nullptr, &picture) == NICOL_OK);

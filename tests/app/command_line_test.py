@@ -9,6 +9,7 @@ import pty
 import re
 import resource
 import select
+import shutil
 import signal
 import struct
 import subprocess
@@ -123,6 +124,35 @@ class CommandLine(unittest.TestCase):
         self.assertRegex(result.stderr, r"(?m)^  together +[0-9.e-]+$")
         quick = self.nicol("render", SCENE, "-W", 48, "-H", 48, "-o", "b.exr", "--no-budget")
         self.assertNotIn("together", quick.stderr)
+
+    def test_the_sampling_line_says_what_was_done(self):
+        for more, words in (
+            ([], "1 sample a pixel against 9, on"),
+            (["--error-map", "map.exr"], "1 sample a pixel: from each pixel's spread and its neighbours"),
+            (["--samples", 4], "4 samples a pixel: half the difference of their halves"),
+            (["--samples", 1000], "1000 samples a pixel: half the difference of their halves"),
+        ):
+            with self.subTest(words=words):
+                result = self.nicol("render", SCENE, "-W", 24, "-H", 18, "-o", "a.exr", *more)
+                self.assertIn(words, result.stderr)
+                self.assertIn(f" nm, {words.split(' a pixel')[0]} a pixel\n", result.stderr)
+
+    def test_options_that_make_no_sense_are_named(self):
+        for wavelengths in "-3", "1e9", "-400:500:10", "400,2e6":
+            self.assert_refused(self.nicol("render", SCENE, f"--wavelengths={wavelengths}", "-o", "a.exr"), wavelengths, "1 and 1000000 nm")
+        for word in "box", "x", "ior", "if":
+            self.assert_refused(self.nicol("render", SCENE, "--declare", f"{word}=3", "-o", "a.exr"), f"'{word}' is a word of the language")
+        self.assertEqual(self.left_in_folder(), [])
+
+    def test_a_kernel_that_does_not_build_leaves_nothing_to_go_on_from(self):
+        kernels = self.folder / "kernels"
+        shutil.copytree(Path(__file__).resolve().parents[2] / "kernels", kernels)
+        with (kernels / "trace.cl").open("a") as trace:
+            trace.write("this is no OpenCL C;\n")
+        result = self.nicol("render", SCENE, "-W", 16, "-H", 16, "-o", "a.exr", env={**os.environ, "NICOL_KERNEL_DIR": str(kernels)})
+        self.assert_refused(result, "trace")
+        self.assertNotIn("--continue", result.stderr)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["kernels"])
 
     def test_error_that_is_kept(self):
         result = self.nicol("render", SCENE, "-W", 48, "-H", 48, "-o", "a.exr", "--error", "2%", "--error-map", "map.exr")
