@@ -172,7 +172,7 @@ class Budget {
     line.rms = off(base_, picture);
     line.seconds = picture.report.seconds;
     line.detail = fmt::format("float against double, worst {:.2g}", picture_error(base_.frame, picture.frame).stokes_max);
-    line.price = "--real double: " + times_text(picture.report, base_.report);
+    line.price = "double precision: " + times_text(picture.report, base_.report);
     return line;
   }
 

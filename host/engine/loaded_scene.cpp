@@ -164,20 +164,20 @@ std::vector<double> parse_wavelengths(const std::string& text) {
     check_range(list.front(), text);
     check_range(list.back(), text);
     if (std::adjacent_find(list.begin(), list.end()) != list.end())
-      throw UsageError(fmt::format("--wavelengths {}: a wavelength stands there twice", text));
+      throw UsageError(fmt::format("wavelengths {}: a wavelength stands there twice", text));
     return list;
   }
   const std::vector<double> range = split_numbers(text, ':');
   constexpr double most = 10000;
   if (range.size() != 3 || !(range[2] > 0) || !(range[1] >= range[0]))
     throw UsageError(fmt::format(
-        "--wavelengths takes from:to:step in nm (400:700:10) or a list, not '{}'", text));
+        "wavelengths are told as from:to:step in nm (400:700:10) or as a list, not '{}'", text));
   check_range(range[0], text);
   check_range(range[1], text);
   const double steps =
       std::floor((range[1] - range[0]) / range[2] + 1e-9);  // 1e-9: 0.1 is no binary number
   if (steps >= most)
-    throw UsageError(fmt::format("--wavelengths {}: more than {} wavelengths", text, most));
+    throw UsageError(fmt::format("wavelengths {}: more than {} wavelengths", text, most));
   std::vector<double> lambda_nm;
   for (int i = 0; i <= static_cast<int>(steps); ++i) lambda_nm.push_back(range[0] + i * range[2]);
   return lambda_nm;
@@ -265,7 +265,7 @@ std::shared_ptr<Device> open_wanted_device(const DeviceOptions& options) {
 
 void check_precision(const Device& device, const DeviceOptions& options) {
   if (options.real == "double" && !info(device).has_fp64)
-    throw UsageError(fmt::format("{} has no double precision; use --real float", info(device).name));
+    throw UsageError(fmt::format("{} has no double precision; use float", info(device).name));
 }
 
 }  // namespace nicol::engine
