@@ -57,11 +57,12 @@ Picture make_with_bar(const RenderCommand& command, const std::vector<Target>& t
                       std::unique_ptr<LoadedScene>& loaded, RenderTools& tools) {
   ProgressBar bar(!command.quiet);
   PictureHooks hooks;
-  hooks.cancel = &finish_first();
+  hooks.cancel = &interrupt_flag();
   hooks.also = tools.also;
   if (command.ranks) hooks.others = &command.ranks->others(command.device.device);
   hooks.only_others = command.first_rank_idle;
   hooks.progress = [&](const Progress& progress) {
+    finish_first();   // while kernels are built and fragments checked, which may take for ever, nothing is worth to wait for
     if (tools.frames) bar.show(progress_of_frames(progress, *tools.frames, tools.start), frames_text(*tools.frames));
     else bar.show(progress);
   };

@@ -79,7 +79,7 @@ std::vector<std::string> standard_libraries() {
 
 BindOptions bind_options(const std::string& path, const SceneOptions& options) {
   BindOptions result;
-  result.library_paths = parse_options(options).library_paths;
+  result.library_paths = parse_options(options, path).library_paths;
   result.width = options.width;
   result.height = options.height;
   result.path = path;
@@ -110,9 +110,10 @@ void refuse_polarizers_in_crystals(const Scene& scene, const Geometry& geometry,
 
 }  // namespace
 
-sdl::Options parse_options(const SceneOptions& options) {
+sdl::Options parse_options(const SceneOptions& options, const std::string& path) {
   sdl::Options result;
   result.library_paths = options.library_paths;
+  if (fs::path(path).has_parent_path()) result.library_paths.push_back(fs::path(path).parent_path().string());
   for (std::string& folder : standard_libraries())
     result.library_paths.push_back(std::move(folder));
   for (const std::string& declare : options.declares) {
@@ -206,7 +207,7 @@ void parse(const std::string& path, const SceneOptions& options, plugins::Finder
 }  // namespace
 
 ReadScene read_scene(const std::string& path, const SceneOptions& options, Expectations expectations) {
-  const sdl::Options sdl_options = parse_options(options);
+  const sdl::Options sdl_options = parse_options(options, path);
   BindOptions wanted = bind_options(path, options);
   ReadScene read;
   wanted.files_read = &read.files;

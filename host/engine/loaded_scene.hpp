@@ -41,8 +41,9 @@ std::unique_ptr<LoadedScene> load_scene(const std::string& path, const SceneOpti
 // Scene, geometry and features, for settings of its own; without what was parsed.
 std::unique_ptr<LoadedScene> working_copy(const LoadedScene& loaded);
 
-// Where include files lie, what is declared, the size of the picture.
-sdl::Options parse_options(const SceneOptions& options);
+// Where include files lie (folders that are named, then that of the scene's path, then the standard ones), what is declared, the
+// size of the picture.
+sdl::Options parse_options(const SceneOptions& options, const std::string& path = "");
 void drop_expectations(sdl::Document& document);
 
 KernelOptions kernel_options(const DeviceOptions& options);

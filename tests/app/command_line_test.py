@@ -233,6 +233,14 @@ class CommandLine(unittest.TestCase):
         self.assertIn("scene.pov: wrong", result.stdout)
         self.assertEqual(self.nicol("check", SCENE).returncode, 0)
 
+    def test_includes_beside_the_scene_come_before_the_standard_ones(self):
+        (self.folder / "own").mkdir()
+        self.scene("#debug \"its own\\n\"\n", "own/units.inc")
+        self.scene("#include \"units.inc\"\n" + LIT + "sphere { 0, 1 interior { ior 1.5 } }", "own/scene.pov")
+        self.assertIn("its own", self.nicol("check", "own/scene.pov").stderr)
+        self.scene("#debug \"of the working folder\\n\"\n", "units.inc")
+        self.assertIn("of the working folder", self.nicol("check", "own/scene.pov").stderr)
+
     def test_polarizers_inside_crystals_are_refused_with_their_place(self):
         crystal = "box { -4, 4 interior { ordinary { constant 1.65 } extraordinary { constant 1.48 } } }\n"
         result = self.nicol("check", self.scene(LIT + crystal + "disc { 0, z, 1 polarizer { ideal angle 0 } }"))
@@ -435,6 +443,28 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(self.left_in_folder(), ["a.exr", "a.png"])
         self.assertEqual(read_png(self.folder / "a.png"), (700, 700))
         self.assertIn("nicol:partial", exr_header(self.folder / "a.exr"))
+
+    def test_an_interrupt_before_the_first_tile_quits_at_once(self):
+        self.scene('{ "name": "endless", "version": "1", "nicol": 1, "kind": "element", "meaning": "never ends" }', "endless.json")
+        self.scene("FUNCTION void endless(PRIVATE const ElementIn* in, GLOBAL const scalar* parameter, PRIVATE ElementOut* out) {\n"
+                   "  volatile int on = 1;\n  while (on) out->t.ss = real_number(lanes(1));\n}\n", "endless.cl")
+        scene = self.scene(LIT + "disc { 0, z, 1 polarizer { plugin { \"endless\" } angle 0 } }")
+        process = subprocess.Popen([NICOL, "render", scene, "-o", "a.exr"], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.kill)
+        deadline = time.monotonic() + PATIENCE_S
+        while self.seconds_worked(process) < 3 and time.monotonic() < deadline:
+            time.sleep(0.05)
+        self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGTERM)
+        _, told = process.communicate(timeout=PATIENCE_S)
+        self.assertEqual(process.returncode, 2, told)
+        self.assertIn("interrupted", told)
+
+    def seconds_worked(self, process):
+        """Time of processors; a kernel has been built by then, and its endless loop entered."""
+        fields = Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
     def test_second_interrupt_quits_at_once(self):
         process, terminal = self.start_long_render()
