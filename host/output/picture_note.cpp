@@ -42,7 +42,7 @@ std::string why_another(const std::string& path, const WholePicture& wanted, con
     const WholePicture there = read_whole_note(path, header.notes);
     const std::string differs = difference(there, wanted);
     if (!differs.empty()) return differs;
-    if (!header.whole || header.width != there.width || header.height != there.height) return "its pixels are not all there";
+    if (!header.whole || header.notes.count("partial") != 0 || header.width != there.width || header.height != there.height) return "its pixels are not all there";
     const auto found = header.notes.find("part");
     const std::string there_part = found == header.notes.end() ? "" : found->second;
     return there_part == part ? "" : fmt::format("it is {}, not {}", named(there_part), named(part));

@@ -385,7 +385,7 @@ class CommandLine(unittest.TestCase):
         self.assert_refused(self.nicol("probe", input="{ not json"), "nicol: ")
 
     # ---- interruption ----
-    def start_long_render(self):
+    def start_long_render(self, *options):
         """A render on a terminal of its own, past its first rows: process and terminal."""
         terminal, slave = pty.openpty()
         process = subprocess.Popen(
@@ -403,6 +403,7 @@ class CommandLine(unittest.TestCase):
                 "700",
                 "--samples",
                 "256",
+                *options,
             ],
             cwd=self.folder,
             stdin=subprocess.DEVNULL,
@@ -443,6 +444,17 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(self.left_in_folder(), ["a.exr", "a.png"])
         self.assertEqual(read_png(self.folder / "a.png"), (700, 700))
         self.assertIn("nicol:partial", exr_header(self.folder / "a.exr"))
+
+    def test_what_an_interrupt_saved_is_no_whole_picture(self):
+        for suffix in ("exr", "png"):
+            process, terminal = self.start_long_render("--keep-after", "1e9")
+            process.send_signal(signal.SIGINT)
+            self.finish(process, terminal)
+            (self.folder / f"a.{suffix}").unlink()
+            process, terminal = self.start_long_render("--keep-after", "1e9", "--continue")
+            process.send_signal(signal.SIGINT)
+            code, said = self.finish(process, terminal)
+            self.assertEqual(code, 2, said)
 
     def test_an_interrupt_before_the_first_tile_quits_at_once(self):
         self.scene('{ "name": "endless", "version": "1", "nicol": 1, "kind": "element", "meaning": "never ends" }', "endless.json")
