@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <string_view>
+#include <utility>
 
 #include "host/app/commands.hpp"
 
@@ -106,7 +107,12 @@ bool translate_setting(const std::string& argument, std::vector<std::string>& ou
 std::vector<std::string> translate_povray_switches(const std::vector<std::string>& arguments,
                                                    std::vector<std::string>& ignored) {
   std::vector<std::string> out;
+  bool declared = false;   // what follows --declare is its value, whatever it looks like
   for (const std::string& argument : arguments) {
+    if (std::exchange(declared, argument == "--declare")) {
+      out.push_back(argument);
+      continue;
+    }
     const bool plus = argument.size() > 1 && argument[0] == '+';
     if (lower(argument) == "+c" || lower(argument) == "continue_trace=on") {
       out.push_back("--continue");

@@ -110,6 +110,8 @@ TEST_CASE("POV-Ray's switches of windows and animations become options") {
                                         "--initial-clock=-2", "--final-frame", "7", "--start-row", "2"});
   CHECK(ignored.empty());
   CHECK(translate_povray_switches({"+SP32", "+EP4"}, ignored).empty());
+  const std::vector<std::string> declared{"--declare", "Width=3", "--declare", "--declare"};   // a value is no switch
+  CHECK(translate_povray_switches(declared, ignored) == declared);
   CHECK(ignored.size() == 2);
   for (const char* wrong : {"+SR", "+KFF", "+KX1", "+SF"}) CHECK_THROWS_AS(translate_povray_switches({wrong}, ignored), UsageError);
 }
