@@ -34,7 +34,8 @@ Scene bind(const sdl::Document& document, const BindOptions& options,
 // Every block and word that bind understands, as Markdown tables.
 std::string vocabulary();
 
-// The language, or bind, gives it a meaning: a scene that declares it could not use it any more.
-bool is_word(const std::string& text);
+// A word of the language that #declare refuses, or an object's: no scene could use a number of that name. The words of a block
+// (size, samples) may be declared, as in a scene.
+bool is_reserved_word(const std::string& text);
 
 }  // namespace nicol

@@ -74,9 +74,9 @@ void print(std::string& out, const Schema& schema) {
   }
 }
 
-// visit(schema) for each block.
-template <class Visit>
-void each_schema(const Visit& visit) {
+}  // namespace
+
+std::string vocabulary() {
   Scene scene;
   const BindOptions options;
   const sdl::Sources sources;
@@ -95,47 +95,38 @@ void each_schema(const Visit& visit) {
   RawGyration gyration;
   RawOpticFrame optic_frame;
   std::vector<double> lambda_nm;
-  visit(settings_schema(context, settings));
-  visit(wavelengths_schema(context, lambda_nm));
-  visit(camera_schema(context, camera));
-  visit(polarizer_schema(context, polarizer));
-  visit(luminous_schema(context, luminous));
+  std::string out;
+  print(out, settings_schema(context, settings));
+  print(out, wavelengths_schema(context, lambda_nm));
+  print(out, camera_schema(context, camera));
+  print(out, polarizer_schema(context, polarizer));
+  print(out, luminous_schema(context, luminous));
   RawSurface surface;
-  visit(surface_schema(context, surface));
-  visit(spectrum_schema(context, spectrum));
-  visit(interior_schema(context, medium));
-  visit(index_schema(context, "index", index));
-  visit(rotation_schema(context, rotation));
-  visit(absorption_schema(context, "absorption", absorption));
-  visit(gyration_schema(context, gyration));
-  visit(optic_frame_schema(context, optic_frame));
+  print(out, surface_schema(context, surface));
+  print(out, spectrum_schema(context, spectrum));
+  print(out, interior_schema(context, medium));
+  print(out, index_schema(context, "index", index));
+  print(out, rotation_schema(context, rotation));
+  print(out, absorption_schema(context, "absorption", absorption));
+  print(out, gyration_schema(context, gyration));
+  print(out, optic_frame_schema(context, optic_frame));
   for (const std::string& kind : object_names()) {
     RawObject object;
-    visit(object_schema(context, kind.c_str(), object));
+    print(out, object_schema(context, kind.c_str(), object));
   }
   RawTwin twin;
-  visit(twin_schema(context, twin));
+  print(out, twin_schema(context, twin));
   RawGem::Tier tier;
-  visit(gem_facet_schema(context, tier));
-  visit(expect_schema(context, expectation));
-}
-
-}  // namespace
-
-std::string vocabulary() {
-  std::string out;
-  each_schema([&](const Schema& schema) { print(out, schema); });
+  print(out, gem_facet_schema(context, tier));
+  print(out, expect_schema(context, expectation));
   return out;
 }
 
-bool is_word(const std::string& text) {
+bool is_reserved_word(const std::string& text) {
   sdl::Symbols symbols;
-  bool found = symbols.intern(text) < static_cast<sdl::Symbol>(sdl::Keyword::count);
-  each_schema([&](const Schema& schema) {
-    found = found || text == schema.block ||
-            std::any_of(schema.rules.begin(), schema.rules.end(), [&](const Rule& rule) { return text == rule.name; });
-  });
-  return found;
+  const std::vector<std::string> objects = object_names();
+  return symbols.intern(text) < static_cast<sdl::Symbol>(sdl::Keyword::count) ||
+         std::find(objects.begin(), objects.end(), text) != objects.end();
 }
 
 }  // namespace nicol

@@ -120,7 +120,7 @@ sdl::Options parse_options(const SceneOptions& options, const std::string& path)
     const std::size_t equals = declare.find('=');
     if (equals == 0 || equals == std::string::npos)
       throw UsageError(fmt::format("--declare takes name=value, not '{}'", declare));
-    if (is_word(declare.substr(0, equals)))
+    if (is_reserved_word(declare.substr(0, equals)))
       throw UsageError(fmt::format("'{}' is a word of the language: it cannot be declared", declare.substr(0, equals)));
     result.declares[declare.substr(0, equals)] =
         parse_number(std::string_view(declare).substr(equals + 1), declare);

@@ -140,8 +140,10 @@ class CommandLine(unittest.TestCase):
     def test_options_that_make_no_sense_are_named(self):
         for wavelengths in "-3", "1e9", "-400:500:10", "400,2e6":
             self.assert_refused(self.nicol("render", SCENE, f"--wavelengths={wavelengths}", "-o", "a.exr"), wavelengths, "1 and 1000000 nm")
-        for word in "box", "x", "ior", "if":
+        for word in "box", "x", "if":
             self.assert_refused(self.nicol("render", SCENE, "--declare", f"{word}=3", "-o", "a.exr"), f"'{word}' is a word of the language")
+        for word in "size", "height", "rotation":  # which scenes declare, too
+            self.assertEqual(self.nicol("check", SCENE, "--declare", f"{word}=3").returncode, 0)
         self.assertEqual(self.left_in_folder(), [])
 
     def test_a_kernel_that_does_not_build_leaves_nothing_to_go_on_from(self):
